@@ -35,7 +35,8 @@ _OTHER: dict[str, Fraction] = {
     "mi": Fraction(1609344, 1000), "knot": Fraction(1852, 3600), "knots": Fraction(1852, 3600),
     }  # fmt: skip
 """A ton is the long one of 2240 lb; where a page converts one, the short and the metric ton count too."""
-_OTHER["slug"] = _OTHER["lbf"] / _OTHER["ft"]
+_OTHER |= dict.fromkeys(words("CV ch"), _OTHER["PS"])
+_OTHER |= dict.fromkeys(words("slug slugs"), _OTHER["lbf"] / _OTHER["ft"])
 _HORSEPOWER = 550 * _OTHER["ft"] * _OTHER["lbf"]
 _OTHER |= dict.fromkeys(words("hp bhp HP"), _HORSEPOWER)
 INCH = Fraction(254, 10**4)
@@ -120,7 +121,7 @@ _RAISED_UNIT = r"(?:\^\{[-−]?[0-9]\}|\^[-−]?[0-9]|\^\([-−]?[0-9]\)|[⁻]?[
 _PART_OF_UNIT = rf"[A-Za-zµμ]+{_RAISED_UNIT}?"
 _PLAIN_UNIT = re.compile(
     rf"(?P<space>[ \u2009\u202f\u205f]?)(?P<plain>(?:1/)?{_PART_OF_UNIT}"
-    rf"(?:(?:/|[·⋅・*]|[ \u2009\u202f](?=(?:[cm]?m|s|g|kg|rad)(?![A-Za-z]))){_PART_OF_UNIT}){{0,3}})"
+    rf"(?:(?:/|[·⋅・*]|[ \u2009\u202f](?=(?:[cm]?m|s|g|kg|rad|ft)(?![A-Za-z]))){_PART_OF_UNIT}){{0,3}})"
     r"(?![A-Za-z0-9_('^′⁻¹²³⁴])"
 )
 _NUMBER_BEFORE = re.compile(
@@ -186,8 +187,8 @@ _OF_GRAMS = re.compile(
     r"|[0-9][ ~]?g[ ·]?(?:[cm]m(?![A-Za-z])|/c)"
     r"|[0-9][ ~]?(?:lbs?|oz|kg)[ ]*[=≈][ ]*[0-9.,]+[ ]?g(?![A-Za-z])"
     r"|(?<![A-Za-z])[mM](?:_\{?\w+\}?|[₀-₉]+)?[ ]*[=≈][ ]*\$?[0-9.,]+\$?[ ~]?g(?![A-Za-z])"
-    r"|(?:[Ww]eigh[a-z]*|[Mm]ass(?:es|en|e)?|Gewichte?|wieg(?:t|en))(?![A-Za-z])"
-    r"[^\n=]{0,60}[0-9]\$?[ ~]?g(?![A-Za-z/])"
+    r"|(?:[Ww]eigh[a-z]*|[Mm]ass(?:es|en|e)?|Gewichte?|wieg(?:t|en)|p[eè]se(?:nt)?|pesan?o?)(?![A-Za-z])"
+    r"[^\n=]{0,60}(?:=[ ]?\$?)?[0-9.,]*[0-9]\$?[ ~]?g(?![A-Za-z/])"
 )
 _OF_GRAVITY = re.compile(
     r"\b(?:[Aa]ccelerations?|[Bb]eschleunigung(?:en)?|[Vv]erzögerung|[Dd]eceleration)"
@@ -633,6 +634,8 @@ class _PlainUnit:
                 return self.spaced
             if is_mass or not self.spaced or self._goes_on():
                 return is_mass
+            if speaks_of_grams(self.text) and _LONE_SIZE.search(line):
+                return True  # weighs x = 320 g, whatever its letter
             return _MASS.search(line) is not None or self._is_sum_of_grams(line)
         line = before.rpartition("\n")[2]
         return self.spaced and re.search(r"(?:/|÷|\}\{)\s*9\.8[0-9]*(?![0-9])", line) is not None
@@ -694,6 +697,8 @@ class _PlainUnit:
             return False  # 11 bar (four stroke)
         if not bare or bare[0] in _STOPS or bare[0] == "\n" or ord(bare[0]) >= 0x2E80:
             return False
+        if _FACTOR_BEHIND_SPACE.match(self.text, self.stop, self.end):
+            return True
         if bare.startswith(
             ("\\cdot", "\\times", "\\approx", "\\le", "\\ge", "\\quad", "\\qquad", "\\\\", "\\,")
         ):
@@ -704,6 +709,14 @@ class _PlainUnit:
             or len(word.group()) < 2
             or word.group()[:3] in ("sin", "cos", "tan", "exp", "sqr")
         )
+
+
+_FACTOR_BEHIND_SPACE = re.compile(
+    r"(?:[ ~]*\\[,;:!])+[ ]?(?:[A-Za-z](?<![msgNJWKVAhlLt])(?![A-Za-z])"
+    r"|\\(?:[dt]?frac|sin|cos|tan|sqrt|left|d?dot|[oO]mega|lambda|(?:var)?(?:phi|theta|rho)|alpha|beta|psi)"
+    r"(?![A-Za-z]))"
+)
+"""A thin space and the next factor: 2\\,s\\,n, but 3\\,N\\,m."""
 
 
 def follows_number(text: str, start: int, place: int) -> bool:

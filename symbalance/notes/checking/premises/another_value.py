@@ -43,7 +43,7 @@ from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
 from symbalance.notes.checking.words.angles_of_time import is_time_of_angle
 from symbalance.notes.checking.words.case_labels import are_labels_of_a_kind, label_beside
-from symbalance.notes.checking.words.case_words import numbers_of_several
+from symbalance.notes.checking.words.case_words import numbers_of_several, opens_case
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -159,6 +159,8 @@ def _of_its_own_case(
         reason = f"rounded: line {earlier.line} has more digits"
     elif _is_labelled_otherwise(definitions, name, earlier, value, chain):
         reason = f"another case than in line {earlier.line}, by its label"
+    elif _is_of_another_in_its_sentence(definitions, name, value, chain):
+        reason = f"of another than in line {earlier.line}: its sentence has both"
     elif _is_of_other_parity(definitions, name, chain):
         reason = f"another case than in line {earlier.line}: even, and odd"
     if reason:
@@ -169,6 +171,50 @@ def _of_its_own_case(
         return None
     definitions.define(name, without_dots(value)[0], chain, case_end)
     return Decision(DEFINITION, f"another case than in line {earlier.line}")
+
+
+def _is_of_another_in_its_sentence(
+    definitions: Definitions, name: str, value: Formula, chain: Chain
+) -> bool:
+    """Tell whether a sentence has two values of a letter, with words between that draw no conclusion.
+
+    The long rod has q = 0.25, the short one q = 0.3: of one thing nobody says two in a breath. A formula
+    may follow from the other one, unless both are conditions: A fires when u = a, B when u = a + b.
+    """
+    sections = definitions.sections
+    before = sections.chains_above(Name(name), chain.start)
+    start = chain.start - len(sections.sentence_before(chain))
+    if not before or before[-1].start < start:
+        return False
+    text, end = sections.document.text, before[-1].end
+    if names(value) or names(before[-1].sides[1].node):
+        return all(opens_case(text, c.start, c.end) for c in (before[-1], chain))
+    if any(names(c.sides[1].node) for c in before):
+        return False  # its formula says which number it has where
+    if sections.is_consequence(chain) or _CONCLUDES.search(text, end, chain.start):
+        return False
+    behind = [_BEHIND.match(text, c.end) for c in (before[-1], chain)]
+    if behind[0] and behind[1] and behind[0][1] == behind[1][1]:
+        return False  # b = 17.8° for the 5.70 and b = 16.9° for the 5.70
+    inner = [c for c in sections.document.chains if end <= c.start and c.end <= chain.start]
+    words = text[end : chain.start]
+    for other in reversed(inner):
+        words = words[: other.start - end] + words[other.end - end :]
+    points = sample_trees([before[-1].sides[1].node, value], SymbolValue(), 1)
+    is_far = bool(points) and abs(points[0][1][0] - points[0][1][1]) > ROUNDED * abs(points[0][1][0])
+    return is_far and _WORD.search(words) is not None
+
+
+_BEHIND = re.compile(
+    r"\$?[ ]((?:for|of|with|at|für|bei|mit|pour|avec|à|per|con|para)[ ](?:[^\W_]+[ ])?[\w.]+)"
+)
+_WORD = re.compile(r"(?<![\\A-Za-z])[^\W\d_]{3,}|[\u3041-\u9fff]{2}")
+_CONCLUDES = re.compile(
+    r"(?<![^\W\d_])(?:that\s+is|i\.?\s?e\.|d\.?\s?h\.|das\s+heißt|c'est-à-dire|soit|cio[eè]|es\s+decir|also|or|oder|ou"
+    r"|rounded|about|say|gerundet|rund|etwa|environ|circa)(?![^\W\d_])|すなわち|つまり|約",
+    re.IGNORECASE,
+)
+"""Words between two numbers that make the second one the first, told again."""
 
 
 def _is_of_other_parity(definitions: Definitions, name: str, chain: Chain) -> bool:
@@ -257,7 +303,7 @@ def _is_at_another_place(
         waves = any(call.function in ("sin", "cos") for call in calls)
         if waves or not names(node) or turning.intersection(_letters_behind([node], knowledge)):
             return False
-    return definitions.sections.is_at_another_place(chain, name)
+    return definitions.sections.is_at_another_place(chain)
 
 
 def _each_has_own_letters(earlier: Formula, value: Formula, knowledge: Knowledge) -> bool:

@@ -33,7 +33,19 @@ from symbalance.notes.checking.verdicts import RANGE
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.formulas.result_units import value_of
+from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
+ROUGHER = 0.01
+"""What a number that is told again with fewer digits may be off by, as a part of it."""
+_CALL_IT = re.compile(
+    r"\$?(?:\s*[,;:–—-]\s*|\s+|\s*\()(?:(?:call\s+it|say|or(?:\s+about)?|about|roughly|i\.e\.|that\s+is|rounded(?:\s+to)?|also"
+    r"|(?:also\s+)?rund|gerundet|d\.\s?h\.|etwa|soit(?:\s+environ)?|environ|cio[eè]|circa|unos|es\s+decir|すなわち|つまり|約)\s*)?"
+    r"\$?(?P<number>[0-9]+(?:[.,][0-9]+)?)(?:[ ~]|\\[,;: ])?"
+    r"(?:\\(?:mathrm|text)\{)?(?P<unit>[A-Za-z][A-Za-z/²³·]{0,6})"
+)
+"""Words right behind a result that tell it with fewer digits: 14437 N, call it 14.4 kN."""
 _SAME_WAY = {">": ">≥", "≥": ">≥", "<": "<≤", "≤": "<≤"}
 """Signs of bounds on the same side as one with a sign."""
 _OF_CRANK_ANGLE = (*MOVING, "rod angle")
@@ -248,6 +260,7 @@ class Definitions:
         entries = self.values.get(name, [])
         if names(node) or not entries or not _may_be_printed(entries[-1].definition, node, chain):
             return
+        node = self._told_rougher(node, chain) or node
         number = node.operand if isinstance(node, Negative) else node
         if isinstance(number, Number) and number.last_place is None:
             number = Number(number.value, Fraction(1), span=number.span)
@@ -259,6 +272,18 @@ class Definitions:
         if decimals(node):
             definition = replace(entries[-1].definition, rounded=node)
             entries[-1] = replace(entries[-1], definition=definition)
+
+    def _told_rougher(self, node: Formula, chain: Chain) -> Formula | None:
+        """Return the number with fewer digits that words go on with: F = 14437 N, call it 14.4 kN."""
+        match = _CALL_IT.match(self.sections.document.text, chain.end)
+        scale = scale_of(match["unit"]) if match else None
+        value = value_of(node)
+        if match is None or scale is None or scale[1] or not value:
+            return None
+        digits = match["number"].replace(",", ".")
+        number = Fraction(digits) * scale[0]
+        place = Fraction(1, 10 ** len(digits.partition(".")[2])) * scale[0]
+        return Number(number, place) if abs(float(number) / value - 1) <= ROUGHER else None
 
     def _add(self, name: str, entry: Entry) -> None:
         if entry.definition.numeric:

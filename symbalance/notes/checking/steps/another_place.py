@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from symbalance.document.formula import Name, Number, Product, names
+from symbalance.document.formula import Call, Name, Number, Product, names
 from symbalance.notes.checking.meant.pistons.motion_letters import angles_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -94,14 +94,19 @@ def _opened_as_case(state: JudgingState, premise: Premise, chain: Chain) -> bool
 
 
 def leave_number_of_place(state: JudgingState, chain: Chain, k: int) -> bool:
-    """Forget the number that a letter has at another place, a at TDC before a at 90°; tell of any."""
+    """Forget the number that a letter has at another place, a at TDC before a at 90°; tell of any.
+
+    Of an angle its sine may have had it: sin β = λ sin 30°, and at 60° sin β = 0.26.
+    """
     head = chain.sides[0].node
-    if k or not isinstance(head, Name) or not state.sections.is_at_another_place(chain, head.name):
+    is_wave = isinstance(head, Call) and isinstance(head.argument, Name)
+    letter = head.argument if is_wave and isinstance(head, Call) else head
+    if k or not isinstance(letter, Name) or not state.sections.is_at_another_place(chain):
         return False
     is_known = False
-    for entry in list(state.definitions.values.get(head.name, ())):
-        if entry.definition.numeric:
-            is_known |= state.definitions.forget_number(head.name, entry.definition.line)
+    for entry in list(state.definitions.values.get(letter.name, ())):
+        if entry.definition.numeric or is_wave:
+            is_known |= state.definitions.forget_number(letter.name, entry.definition.line)
     return is_known
 
 

@@ -23,10 +23,12 @@ from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, un
 from symbalance.notes.checking.units.own_units import is_angular_speed
 from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.checking.verdicts import PROVED_WORDS, REFUTED, Verdict
-from symbalance.notes.checking.words.sizes_said import SizeSaid, size_said
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.checking.words.sizes_said import SizeSaid, size_said, sizes_in_words
+from symbalance.notes.reading.equations import Chain, Side
 from symbalance.notes.reading.units import scale_of
 
+MOST_SIZES = 4
+"""Sizes of a paragraph that are tried, the last ones."""
 _SPEEDS = ("speed", "velocity", "revolutions", "vitesse", "velocità", "velocidad", "drehzahl")
 
 
@@ -39,20 +41,18 @@ def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
     words = state.document.text[max(first, chain.start - len(sentence)) : chain.start]
     said = size_said(words.rstrip(" $\\(["), state.document.text)
     left = next((side for side in reversed(chain.sides[: k + 1]) if names(side.node)), None)
-    if said is None or left is None:
-        return verdict
+    is_wrong = verdict.verdict == REFUTED
+    by_paragraph = _by_sizes_of_paragraph(state, chain, k, left) if left and is_wrong else None
+    if by_paragraph or said is None or left is None:
+        return by_paragraph or verdict
     knowledge = state.knowledge(chain.lines[0])
     values = {name: d.node for name, d in knowledge.definitions.items()}
     others = _letters_of(said, {*names_behind(left.node, values)}, state, knowledge)
     for name, number in others.items():
         there = decide(left, chain.sides[k + 1], chain.relations[k].sign, _known(name, number, knowledge))
         if there.is_proved:
-            if verdict.verdict in PROVED_WORDS:
-                return verdict
-            end = state.sections.case_end(chain.lines[0])
-            state.definitions.define(name, number, chain, end)
-            held = replace(there, assumptions=(*there.assumptions, f"“{said.text}” is {name}"))
-            return describe(state.document, chain, k, held)
+            is_held = verdict.verdict in PROVED_WORDS
+            return verdict if is_held else _held(state, chain, k, there, said, name, number)
     is_again = any(_is_same(n, values[name], knowledge) for name, n in others.items())
     is_open = bool(others) and not is_again and (not said.is_named or _is_repeated(state, chain, k))
     if verdict.verdict == REFUTED or not is_open:
@@ -60,6 +60,36 @@ def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
     shown = " and ".join(f"{name} of line {knowledge.definitions[name].line}" for name in others)
     reason = f"its sentence says “{said.text}”, and it holds with {shown} only"
     return describe(state.document, chain, k, Decision(UNDECIDED, reason))
+
+
+def _by_sizes_of_paragraph(state: JudgingState, chain: Chain, k: int, left: Side) -> Verdict | None:
+    """Return the verdict on a number that comes out with a size its paragraph says before it, or None.
+
+    At 60° the pressure has fallen to 14 bar; there the force is F = 7.8 kN.
+    """
+    start = state.sections.start_of_line(state.sections.paragraph_start(chain.lines[0]))
+    words = state.document.text[start : chain.start]
+    for other in reversed(state.document.chains):
+        if start <= other.start and other.end <= chain.start:
+            words = words[: other.start - start] + " = " + words[other.end - start :]
+    knowledge = state.knowledge(chain.lines[0])
+    behind = {*names_behind(left.node, {name: d.node for name, d in knowledge.definitions.items()})}
+    sign = chain.relations[k].sign
+    for said in sizes_in_words(words)[:MOST_SIZES]:
+        for name, number in _letters_of(said, behind, state, knowledge).items():
+            there = decide(left, chain.sides[k + 1], sign, _known(name, number, knowledge))
+            if there.is_proved:
+                return _held(state, chain, k, there, said, name, number)
+    return None
+
+
+def _held(
+    state: JudgingState, chain: Chain, k: int, there: Decision, said: SizeSaid, name: str, number: Formula
+) -> Verdict:
+    """Return the verdict by a size in words, which goes on to be the letter's in its case."""
+    state.definitions.define(name, number, chain, state.sections.case_end(chain.lines[0]))
+    held = replace(there, assumptions=(*there.assumptions, f"“{said.text}” is {name}"))
+    return describe(state.document, chain, k, held)
 
 
 def _known(name: str, number: Formula, knowledge: Knowledge) -> Knowledge:

@@ -57,12 +57,13 @@ _WHOLE_UNITS: dict[str, Dimension] = {
     **dict.fromkeys(words("gmm kgmm gcm kgcm mkg cmkg"), _dimension(kg=1, m=1)),
     "cc": _dimension(m=3), "ccm": _dimension(m=3), "inch": _dimension(m=1), "ft": _dimension(m=1),
     "gn": _dimension(m=1, s=-2), "mi": _dimension(m=1), "slug": _dimension(kg=1),
+    "slugs": _dimension(kg=1),
     "psi": _dimension(1, -1, -2), "Ω": _dimension(1, 2, -3, 0, -2),
     "mph": _dimension(m=1, s=-1), "knot": _dimension(m=1, s=-1), "knots": _dimension(m=1, s=-1),
     "mbar": _dimension(1, -1, -2), "hPa": _dimension(1, -1, -2), "daN": _dimension(1, 1, -2),
     "Ncm": _dimension(1, 2, -2), "Wh": _dimension(1, 2, -2), "kWh": _dimension(1, 2, -2),
     **dict.fromkeys(words("lbf kp kgf"), _dimension(1, 1, -2)),
-    **dict.fromkeys(words("hp bhp HP PS"), _dimension(1, 2, -3)),
+    **dict.fromkeys(words("hp bhp HP PS CV ch"), _dimension(1, 2, -3)),
 }  # fmt: skip
 _PREFIXES = ("", "k", "M", "G", "c", "d", "m", "u", "n")
 _PREFIXED = {p + unit: size for unit, size in _UNITS.items() for p in _PREFIXES}

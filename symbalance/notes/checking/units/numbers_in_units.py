@@ -92,6 +92,8 @@ _NO_LETTERS = re.compile(
 )
 """What is a command or the cross of a product, where a side has no letters."""
 _SMALL_LENGTH = re.compile(r"(?<![A-Za-z])[cm]m(?![A-Za-z])")
+_CLOSING_MARK = re.compile(r"</?[a-z]+>|&[a-z]+;|\\[)\]]")
+"""What closes a formula between its number and the unit: </math>, \\)."""
 
 
 def decide_in_units(
@@ -348,7 +350,7 @@ def _in_unit_of_result(
     if bare is None and isinstance(right.node, Product):
         *rest, unit = right.node.factors
         written = document.text[unit.span[0] : unit.span[1]]
-        plain = written.strip(" ~,.\\$")
+        plain = _CLOSING_MARK.sub("", written).strip(" ~,.\\$")
         spellings = (plain, re.sub(r"\.\s?", "", plain).lower(), written_unit(f"0 {written}")[1])
         is_usual = _SMALL_LENGTH.search(written) or any(scale_of(unit) == RPM for unit in spellings)
         if is_usual and rest:

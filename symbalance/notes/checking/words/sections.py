@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate
 
-from symbalance.document.formula import Constant, Formula, Name, Number, names, walk
+from symbalance.document.formula import Call, Constant, Formula, Name, Number, names, walk
 from symbalance.document.letters import is_greek
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
@@ -1051,17 +1051,23 @@ class Sections:
         is_next = match is not None and _RIGHT_BEHIND.fullmatch(words[: match.start()]) is not None
         return _last_place(match[0]) if match is not None and is_next else None
 
-    def is_at_another_place(self, chain: Chain, name: str) -> bool:
-        """Tell whether words place a letter's value elsewhere than its last one: at 0°, then at 180°."""
-        starts, chains = self._by_start
-        before = chains[: bisect_left(starts, chain.sides[0].span[0])]
-        last = next((c for c in reversed(before) if c.sides[0].node == Name(name)), None)
-        if last is None or chain.start - last.end > LONGEST_SENTENCE:
+    def is_at_another_place(self, chain: Chain) -> bool:
+        """Tell whether words place a value elsewhere than its last one: at 0°, then at 180°.
+
+        The last one may have its angle in its own formula: sin β = λ sin 30°, then sin β at 60°.
+        """
+        last = self.last_above(chain.sides[0].node, chain.sides[0].span[0])
+        if last is None:
             return False
-        text = self.document.text
-        here = _last_place(self._english(text[last.end : chain.start]))
+        text, first = self.document.text, last.end
+        if chain.start - first > LONGEST_SENTENCE:
+            first = max(first, self.start_of_line(self.paragraph_start(chain.lines[0])))
+        here = _last_place(self._english(text[first : chain.start]))
         before = self._english(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
         there = _last_place(before)
+        own = {int(match["degrees"]) for match in _WHOLE_DEGREES.finditer(text, last.start, last.end)}
+        if len(own) == 1 and isinstance(last.sides[0].node, Call):
+            there = own.pop()
         return here is not None and there is not None and here != there
 
     def is_of_another_body(self, chain: Chain, name: str) -> bool:

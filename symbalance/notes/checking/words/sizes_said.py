@@ -55,6 +55,28 @@ class SizeSaid:
         return self.unit == "°"
 
 
+_ANY = re.compile(
+    rf"(?<![\w.,=≈^+*/×·−-])(?<![=≈] )(?P<number>[0-9]+(?:[.,][0-9]+)?){_GAP}{_UNIT}(?![\w=])"
+)
+
+
+def sizes_in_words(words: str) -> list[SizeSaid]:
+    """Return all sizes that words give, the last first: the pressure has fallen to 14 bar.
+
+    >>> [size.text for size in sizes_in_words("at 6000 rpm it falls to 14 bar; where l = 3 m")]
+    ['14 bar', '6000 rpm']
+    """
+    found = [*_ANY.finditer(words)]
+    return [
+        SizeSaid(
+            match[0].strip(" $"),
+            Fraction(match["number"].replace(",", ".")),
+            "°" if _ANGLE.fullmatch(match["unit"].strip()) else match["unit"],
+        )
+        for match in reversed(found)
+    ]
+
+
 def size_said(words: str, text: str = "") -> SizeSaid | None:
     """Return the size that a formula's words give last; `text` is the page, by whose language they are.
 

@@ -116,16 +116,16 @@ def with_rounded_results(
     """Return the sides of a chain, a whole result with a unit as a number rounded to its units.
 
     Behind = it has three digits, and its closing zeros beyond these are open; behind ≈, and behind an
-    arithmetic of decimals, which are measured, two will do.
+    arithmetic of decimals, which are measured, two will do, and before a power of ten, 133·10³, too.
     """
     done = list(sides)
     for place, side in enumerate(sides):
         before = sides[place - 1] if place else None
         if side is None or before is None or not _is_bare(before.node, tokens[place - 1]):
             continue
-        number, factor = _whole_result(tokens[place])
+        number, factor, is_of_tens = _whole_result(tokens[place])
         value = value_of(before.node)
-        is_rough = signs[place - 1] == "≈" or _is_measured(before.node)
+        is_rough = signs[place - 1] == "≈" or _is_measured(before.node) or is_of_tens
         fewest = _FEWEST_DIGITS[is_rough]
         digits = str(abs(number.value.numerator)) if number else ""
         if number is None or value is None or not fewest <= len(digits) <= _MOST_DIGITS:
@@ -150,17 +150,25 @@ _FEWEST_DIGITS = {False: 3, True: 2}
 _MOST_DIGITS = 9
 
 
-def _whole_result(tokens: Sequence[Token]) -> tuple[Number | None, Fraction]:
-    """Return the whole number of 956 lb, or of -956 kg, and what its unit multiplies it by."""
+def _whole_result(tokens: Sequence[Token]) -> tuple[Number | None, Fraction, bool]:
+    """Return the whole number of 956 lb or -956·10³ kg, and what multiplies it: a power of ten too?"""
     is_negative = bool(tokens) and tokens[0].is_op("-")
     rest = tokens[1:] if is_negative else tokens
     first = rest[0] if rest else None
-    if first is None or first.kind != "number" or not first.scale or first.number.denominator != 1:
-        return None, Fraction(1)
-    kinds = [token.kind for token in rest[1:]]
-    if first.place is not None or kinds not in ([], ["open", "number", "close"]):
-        return None, Fraction(1)
-    return Number(-first.number if is_negative else first.number), first.scale
+    if (
+        first is None
+        or first.kind != "number"
+        or first.place is not None
+        or first.number.denominator != 1
+    ):
+        return None, Fraction(1), False
+    power, unit = _power_of_ten(rest[1:])
+    scale = first.scale or (unit[1].number if power and unit else Fraction(1))
+    is_result = bool(power or first.scale) and scale != 0
+    if not is_result or [token.kind for token in unit] not in ([], _IN_BRACES):
+        return None, Fraction(1), False
+    number = Number(-first.number if is_negative else first.number)
+    return number, scale * (power or 1), power is not None and power > 1
 
 
 def as_printed(side: Side, tokens: Sequence[Token]) -> Side:

@@ -13,8 +13,11 @@ _NAMES = {
 _CAPITALS = ("SQRT", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "EXP", "ABS", "LN")
 """As in the cells of a sheet, SQRT(L^2-(R*SIN(a))^2)."""
 _NAMES |= {name: name.lower() for name in _CAPITALS}
-_ANGLE = r"(?:[0-9]{1,2}(?:[.,][0-9])?[ ]?)?[α-ω](?![a-z])|(?<=[²³] )[a-z](?![A-Za-z])"
-"""A Greek letter or a multiple of one, without brackets; behind a power any letter."""
+_ANGLE = (
+    r"(?:[0-9]{1,2}(?:[.,][0-9])?[ ]?)?[α-ω](?![a-z])|[0-9]{1,3}(?:[.,][0-9]+)?[ ]?(?:°|\^\{?\\circ)"
+    r"|(?<=[²³] )[a-z](?![A-Za-z])"
+)
+"""A Greek letter or a multiple of one, without brackets, or degrees; behind a power any letter."""
 _ANGLE_OF = (
     r"(?:(?<=[=≈$(\[&,;:\n])|(?<=[=≈$(\[&,;:\n] )|(?<=\A))(?:∠|\\angle(?![A-Za-z]))(?=\s*(?:\(|[A-Za-z]))"
     r"(?!\s*\{?\s*[A-Z]\s?[A-Z])"

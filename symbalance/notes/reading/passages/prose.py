@@ -158,20 +158,35 @@ _SPEED_FIRST = re.compile(
 
 
 _QUANTITY_FIRST = re.compile(
-    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>°|1/min|1/s|[A-Za-z/.]{2,6})\s+"
+    r"\s*[0-9][0-9.,]*[ \u00a0\u2009\u202f]?(?P<unit>°|1/min|1/s|[A-Za-z/.]{2,6}),?\s+"
     r"(?=[^\W\d][\w']{0,12}(?:\([^()=\n]{1,12}\))?\s*[=≈≒≃])"
 )
 _GIVES_CASE = re.compile(
     r"(?<![^\W\d_])(?:for|at|with|für|fuer|bei|mit|pour|à|avec|para|con|per|voor|bij|met)\s*$",
     re.IGNORECASE,
 )
+_NUMBERED = re.compile(
+    r"(?<![^\W\d_])(?:cylinder|zylinder|cylindre|cilindro|cilinder|order|ordnung|ordre|orden|ordine|orde|harmonic|case|fall|cas"
+    r"|caso|engine|motor|moteur|motore|mode|eigenform|throw|pin|bearing|lager|palier|station|section|journal|disc|disk|scheibe"
+    r"|disque|piston|kolben|bank|reihe|row|number|no\.?|nr\.?|n°|test|versuch|essai|point|punkt|shaft|welle|arbre|variant"
+    r"|variante|example|beispiel|exemple)[ ~]?$",
+    re.IGNORECASE,
+)
+_LABEL_FIRST = re.compile(
+    r"[ ~]?[0-9]{1,2}[,:]?\s+(?=[^\W\d][\w']{0,12}(?:\([^()=\n]{1,12}\))?\s*[=≈≒≃])"
+)
 
 
 def _after_speed(text: str, start: int, end: int) -> int:
     """Return where a formula begins behind words and the speed they end in: at 9000 rpm rω² = …
 
-    Behind "for" and the like it is so with any quantity before a lone letter: for 72° δ = 36°.
+    Behind "for" and the like it is so with any quantity before a lone letter: for 72° δ = 36°. The number
+    of a thing is no factor either: for cylinder 2 P = 300 N.
     """
+    if (label := _LABEL_FIRST.match(text, start, end)) and _NUMBERED.search(
+        text, max(0, start - 16), start
+    ):
+        return label.end()
     speed = _SPEED_FIRST.match(text, start, end)
     scale = scale_of(speed["unit"]) if speed else None
     if speed and scale is not None and scale[1]:

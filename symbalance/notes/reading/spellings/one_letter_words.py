@@ -27,6 +27,10 @@ _BEHIND_WORD = re.compile(
     r"(?<![\\\w])(?P<before>[^\W\d_]{3,20})(?P<gap>[ ])(?P<word>[a-z])[ ]"
     r"(?=[^\W\d_](?:_?\w{1,3})?[ ]?[=≈])"
 )
+_BEHIND_SIDE = re.compile(
+    r"(?<=[)°])(?P<gap>[ ])(?P<word>[a-z])[ ](?=[^\W\d_](?:_?\w{1,3})?[ ]?[=≈]|[0-9][0-9.,]*[ ]?°)"
+)
+"""Between two relations of angles or waves: 360° + 60° = 420° y 360° - 60° = 300°."""
 _FUNCTIONS = frozenset(["sen", "sin", "cos", "tan", "cot", "sec", "log", "exp", "arc"])
 
 
@@ -47,6 +51,9 @@ def with_one_letter_words(text: str) -> Rewritten | None:
             places.append((match.start("gap"), match.end("word")))
     for match in _BEHIND_WORD.finditer(text):
         if match["word"] in words and match["before"].lower() not in _FUNCTIONS:
+            places.append((match.start("gap"), match.end("word")))
+    for match in _BEHIND_SIDE.finditer(text):
+        if match["word"] in words:
             places.append((match.start("gap"), match.end("word")))
     for start, end in sorted(set(places)):
         rewriter.replace(start, end, ",")
