@@ -106,7 +106,7 @@ class _Sums:
             raise NoFormError("a sum without index or of none that carries it")
         index = node.index.name
         terms: list[Formula] = []
-        for free, carrying in _expanded(node.body, index):
+        for free, carrying in _single_waves(_expanded(node.body, index), index):
             letter = Name(self._letter(carrying, node))
             terms.append(Product((*free, letter)) if free else letter)
         return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else _ZERO
@@ -167,6 +167,40 @@ def _multiplied(factors: list[list[_Factors]]) -> list[_Factors]:
     ]
 
 
+def _single_waves(terms: list[_Factors], index: str) -> list[_Factors]:
+    """Return terms with one wave each: cos A cos B is half of cos(A - B) and half of cos(A + B).
+
+    Without that one sum would have several letters, and what holds would seem not to.
+    """
+    done: list[_Factors] = []
+    waiting = list(terms)
+    while waiting:
+        if len(done) + len(waiting) > MOST_TERMS:
+            raise TooLargeError("a product of too many waves")
+        free, carrying = waiting.pop()
+        waves = [part for part in carrying if isinstance(part, Call)]
+        if len(waves) < 2:
+            done.append((free, carrying))
+            continue
+        first, second = waves[:2]
+        rest = list(carrying)
+        rest.remove(first)
+        rest.remove(second)
+        names_of = first.function + second.function
+        name, sign = _OF_TWO_WAVES[names_of]
+        minus = Sum((first.argument, Negative(second.argument)))
+        plus = Sum((first.argument, second.argument))
+        for angle, half in ((minus, sign), (plus, -1 if names_of == "sinsin" else 1)):
+            factor = Number(Fraction(half, 2))
+            for own, wave in _of_wave(Call(name, angle), index):
+                waiting.append(((*free, factor, *own), (*rest, *wave)))
+    return done[::-1]
+
+
+_OF_TWO_WAVES = {"coscos": ("cos", 1), "sinsin": ("cos", 1), "sincos": ("sin", 1), "cossin": ("sin", -1)}
+"""The wave that a product of two comes down to, and the sign of the one of their difference."""
+
+
 def _of_wave(node: Call, index: str) -> list[_Factors]:
     """Return cos(U + V), sin(U + V) and e^{i(U + V)} with what carries the index, V, apart."""
     if node.function == "exp":
@@ -178,6 +212,10 @@ def _of_wave(node: Call, index: str) -> list[_Factors]:
     terms = _expanded(node.argument, index)
     free = [Product(f) for f, carrying in terms if not carrying]
     sign, within = _angle([term for term in terms if term[1]])
+    if within is None and not free:
+        return [(_NONE, _NONE)] if node.function == "cos" else []
+    if within is None:
+        return [((Call(node.function, Sum(tuple(free))),), _NONE)]
     cosine, sine = Call("cos", within), Call("sin", within)
     if not free:
         wave = cosine if node.function == "cos" else sine
@@ -191,10 +229,11 @@ def _of_wave(node: Call, index: str) -> list[_Factors]:
     return [((Call("sin", before),), (cosine,)), ((turned, Call("cos", before)), (sine,))]
 
 
-def _angle(terms: list[_Factors]) -> tuple[int, Formula]:
-    """Return the sign of an angle and its formula in one way of writing, whatever way it was typed."""
+def _angle(terms: list[_Factors]) -> tuple[int, Formula | None]:
+    """Return the sign of an angle and its formula in one way of writing, however typed; None for zero."""
     sums: dict[tuple[str, ...], tuple[Fraction, tuple[Formula, ...]]] = {}
-    for free, carrying in terms:
+    apart = [(own, carrying) for free, carrying in terms for own in _multiplied_out(free)]
+    for free, carrying in apart:
         number, factors = Fraction(1), list(carrying)
         for factor in free:
             value = rational_of(factor)
@@ -206,10 +245,33 @@ def _angle(terms: list[_Factors]) -> tuple[int, Formula]:
         sums[key] = (sums[key][0] + number if key in sums else number, tuple(factors))
     rows = [(key, *sums[key]) for key in sorted(sums) if sums[key][0]]
     if not rows:
-        raise NoFormError("an angle that is zero")
+        return 1, None
     sign = 1 if rows[0][1] > 0 else -1
     parts = [Product((Number(sign * number), *factors)) for _, number, factors in rows]
     return sign, parts[0] if len(parts) == 1 else Sum(tuple(parts))
+
+
+def _multiplied_out(factors: tuple[Formula, ...]) -> list[tuple[Formula, ...]]:
+    """Return the products of factors whose sums are multiplied out: α and -k α of (1 - k) α."""
+    done: list[tuple[Formula, ...]] = [()]
+    for factor in factors:
+        parts = _terms(factor)
+        if len(done) * len(parts) > MOST_TERMS:
+            raise TooLargeError("a product of too many terms")
+        done = [(*before, *part) for before in done for part in parts]
+    return done
+
+
+def _terms(node: Formula) -> list[tuple[Formula, ...]]:
+    match node:
+        case Sum(terms=terms):
+            return [part for term in terms for part in _terms(term)]
+        case Negative(operand=operand):
+            return [(Number(Fraction(-1)), *part) for part in _terms(operand)]
+        case Product(factors=factors):
+            return _multiplied_out(factors)
+        case _:
+            return [(node,)]
 
 
 def _without_i(argument: Formula) -> Formula:
