@@ -68,6 +68,8 @@ _AS_TURNS = tuple(
     math.tau**power * 9.80665**weight for power, weight in combinations_of((-1, 0, 1), (-1, 0, 1))
 )
 """What is then between a formula and its result: turns for radians, the weight of a pound."""
+_RADIANS_PER_SECOND = Number(Fraction(math.tau / 60))
+"""What a revolution per minute is."""
 _ROUGH = 0.002
 """What a pure factor may be off by, beside the digits of the constant and of the result: 32.2 for g."""
 _DIGITS = re.compile(r"[0-9]{1,3}(?:,[0-9]{3})+(?![0-9])|[0-9]+(?:[.,][0-9]+)?")
@@ -104,7 +106,7 @@ def decide_between_numbers(
         return None
     as_quantity = left.node
     as_number = left.node if own else _as_typed(left.node, document)
-    if not own and as_number == left.node:
+    if not own and as_number == left.node and not measured:
         return None  # an arithmetic without units is what it is
     try:
         for name, pair in typed.items():
@@ -118,20 +120,34 @@ def decide_between_numbers(
     if not there.is_proved:
         return None
     pure_factors = _AS_TURNS if constants[0].value in _FEW else _PURE
-    for constant in constants:
-        left_over = Number(_FEW.get(constant.value, Fraction(1)))
-        as_quantity = replace_part(as_quantity, constant, left_over)
-    pure = value_of(as_quantity)
     off = sum(_half(c) / abs(float(c.value)) for c in constants) + float(abs(result.half / result.value))
     scales = [result.scale, POUND_FORCE] if result.scale == POUND else [result.scale]
-    for scale in scales if pure else ():
-        assert pure is not None
+    for pure, scale in combinations_of(_without_constants(as_quantity, constants), scales):
         factor = abs(float(result.value * scale) / pure)
         if any(abs(factor / one - 1) <= off + _ROUGH for one in pure_factors):
             return replace(
                 there, status=PROVED, assumptions=(*there.assumptions, BETWEEN_NUMBERS), reason=""
             )
     return None
+
+
+def _without_constants(node: Formula, constants: list[Number]) -> list[float]:
+    """Return what an arithmetic of quantities is without its constants: of all, or of all but a speed.
+
+    398 lb-ft · 6000/5252 has the speed as a bare number of revolutions per minute.
+    """
+    found: list[float] = []
+    speeds = [c for c in constants if len(constants) > 1 and c.value.denominator == 1]
+    for speed in (None, *speeds):
+        rest = node
+        for constant in constants:
+            left_over: Formula = Number(_FEW.get(constant.value, Fraction(1)))
+            if constant is speed:
+                left_over = Product((constant, _RADIANS_PER_SECOND))
+            rest = replace_part(rest, constant, left_over)
+        value = value_of(rest)
+        found += [value] if value else []
+    return found
 
 
 def puts_in_numbers(left: Side, right: Side, document: ReadNotes, knowledge: Knowledge) -> bool:
