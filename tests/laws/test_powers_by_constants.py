@@ -1,4 +1,4 @@
-"""A torque times a bare number of revolutions over 5252 or 9549 is a power in hp or kW, and no other is."""
+"""A torque times a bare number of revolutions over 5252 or 9549 is a power in hp or kW, no other is."""
 
 from __future__ import annotations
 
