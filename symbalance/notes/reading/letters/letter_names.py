@@ -29,6 +29,8 @@ _NUMBERED = re.compile(
     r"|⁽([⁰¹²³⁴-⁹ⁿⁱ]{1,2})⁾"
 )
 """The (2) of F^{(2)}: nobody writes a power so."""
+_LISTED_BELOW = re.compile(r"([^\W\d_]+)_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)+)('*)")
+"""A subscript of several parts as it is typed without braces, F_cap,115."""
 _ORDER = re.compile(
     r"(?:^|(?<=,))\s*(?:\\left)?\(\s*([0-9]{1,2}|[A-Za-z]|[IVX]{1,4})\s*(?:\\right)?\)(?=\s*(?:,|$))"
 )
@@ -48,12 +50,16 @@ def canonical_name(text: str) -> str:
 
     >>> canonical_name(r"m_{\mathrm{rec}}"), canonical_name("m₁"), canonical_name(r"\bar{x}'")
     ('m_rec', 'm_1', "bar_x'")
+    >>> canonical_name("F_cap,115") == canonical_name("F_{cap,115}")
+    True
     >>> canonical_name("ωm"), canonical_name("θ2"), canonical_name(r"\ddot{x}")
     ('omega_m', 'theta_2', 'ddot_x')
     """
     bare = COMBINED.sub(accented, text.strip().strip("$").strip())
     if _CANONICAL.fullmatch(bare):
         return bare
+    if listed := _LISTED_BELOW.fullmatch(bare):
+        return canonical_name(f"{listed[1]}_{{{listed[2]}}}{listed[3]}")
     base, stop = _base(bare)
     if (touching := _TOUCHING.fullmatch(bare, stop)) and bare[:1] in NAME_OF_SIGN and base != "pi":
         return f"{base}_{touching[1]}{len(touching[2]) * chr(39)}"
