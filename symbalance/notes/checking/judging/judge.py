@@ -874,7 +874,7 @@ class Judge:
         if converted is not None and converted.is_proved:
             return None  # 17.9 lb.-in. is 206 kg mm, or a moment
         lettered = [against]
-        if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
+        if against:  # m = 0.44 + 0.18 = 0.62 m is no mass, nor ω = 2πn/60 = 314.2 kg a speed
             symbols = self.declarations.symbols_at(chain.lines[0])
             heads = ((n, chain.sides[n].node) for n in range(against))
             lettered += [
@@ -883,7 +883,10 @@ class Judge:
                 if isinstance(head, Name)
                 and (_has_dimension(head, symbols) or _has_formula(head, knowledge))
             ]
-            formulas = (n for n in range(against - 1, 0, -1) if names(chain.sides[n].node))
+            is_of_numbers = not names(chain.sides[against].node)
+            formulas = (
+                n for n in range(against - 1, 0, -1) if is_of_numbers and names(chain.sides[n].node)
+            )
             lettered += [n for n in formulas if n not in lettered][:1]  # m r ω² = 0.7·0.045·314² = 3110 J
         for place in lettered:
             mismatches = list(self._mismatches(chain, k, place, knowledge).values())
