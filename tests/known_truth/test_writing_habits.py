@@ -64,7 +64,7 @@ PAGES = [
         ":stem: asciimath\n\n"
         "The energy stem:[E = 1/2 J omega^2] with stem:[J = 0.5] and stem:[omega = 100] is\n"
         "stem:[E = 2500], and stem:[2 xx 3 = 7].\n",
-        [GIVEN, GIVEN, GIVEN, YES, NO],
+        [f"{GIVEN} conditional", GIVEN, GIVEN, YES, NO],
     ),
     (
         "a thin space within a unit",

@@ -140,9 +140,9 @@ def _fix(
         return by_premises
     if constraint.is_circular:
         return _fix_beside_others(state, constraint, (chain, k), by_premises, knowledge)
-    by_meanings = _fixed_by_meanings(constraint, knowledge)
-    if by_meanings is not None:
-        return by_meanings
+    at_number = _fixed_at_number(constraint, knowledge)
+    if at_number is not None:
+        return at_number
     is_rods = bool(constraint.alternatives) and is_rod_angle(state, constraint, chain, knowledge)
     state.definitions.fix(constraint, chain, is_rod_angle=is_rods)
     state.definitions.note_premise(chain, k, constraint.name)
@@ -173,24 +173,33 @@ def _fix_beside_others(
     return Decision(DEFINITION, f"read as what fixes {constraint.name}, with an equation before")
 
 
-def _fixed_by_meanings(constraint: Constraint, knowledge: Knowledge) -> Decision | None:
-    """Return that a relation makes a new letter 0 or 1 by the meanings of the others, else None.
+def _fixed_at_number(constraint: Constraint, knowledge: Knowledge) -> Decision | None:
+    """Return that a relation makes a new letter 0 or 1 by what the other letters are, else None.
 
-    l sin β = r sin θ - e is of another engine than the centred one that is declared, for which e is 0.
-    With that put in, every error in e would hold.
+    l sin β = r sin θ - e is of another engine than the centred one that is declared, for which e is 0;
+    k² = ½ (a² + b²) below k² = ½ a² is of another body. With that put in, every error in e would hold.
     """
     if not names(constraint.node):
         return None
+    letter, meanings = plain_text(Name(constraint.name)), knowledge.meaning.values
     formulas = {n: d.node for n, d in knowledge.definitions.items() if not d.numeric and not d.assumption}
+    if (number := _number_at(Level(meanings), constraint, knowledge)) is not None:
+        reason = f"by what its letters are declared to be, true only for {letter} = {number}"
+        return Decision(UNDECIDED, reason)
+    if (number := _number_at(Level({**formulas, **meanings}), constraint, knowledge)) is not None:
+        return Decision(
+            PREMISE, f"of another case: with the lines above true only for {letter} = {number}"
+        )
+    return None
+
+
+def _number_at(level: Level, constraint: Constraint, knowledge: Knowledge) -> int | None:
+    """Return the 0 or 1 that the value of a letter comes down to, None for any other."""
     try:
-        form = knowledge.evaluator(Level({**formulas, **knowledge.meaning.values})).form(constraint.node)
-        number = next((n for n in (0, 1) if form.equals(Form.number(form.domain, n))), None)
+        form = knowledge.evaluator(level).form(constraint.node)
+        return next((n for n in (0, 1) if form.equals(Form.number(form.domain, n))), None)
     except (NoFormError, TooLargeError):
         return None
-    if number is None:
-        return None
-    only_for = f"{plain_text(Name(constraint.name))} = {number}"
-    return Decision(UNDECIDED, f"by what its letters are declared to be, true only for {only_for}")
 
 
 def unless_stated(
