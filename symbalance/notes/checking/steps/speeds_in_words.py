@@ -1,7 +1,8 @@
-"""Angular speeds put in for another engine speed that the sentence names: at 6000 rpm, ω r = 628.3·0.045.
+"""Angular speeds put in for another engine speed that the words name: at 6000 rpm, ω r = 628.3·0.045.
 
 The letter has the value of the page's usual speed; the number that is put in for it is 2π times the speed
-per minute in the words before, and that is what ω is there. No other number is excused.
+per minute in the words before, and that is what ω is there. No other number is excused. A number that is
+put in may be of a speed in the sentences before, a result only of one in its own.
 """
 
 from __future__ import annotations
@@ -22,6 +23,9 @@ from symbalance.notes.checking.units.own_units import is_angular_speed
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
+_FAR = 240
+"""Characters before numbers put in, in which the speed stands that they are of: some three lines."""
+
 
 def at_speed_in_words(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the proof of a refuted relation at the engine speed that its sentence names, or None."""
@@ -29,7 +33,10 @@ def at_speed_in_words(state: JudgingState, chain: Chain, k: int, knowledge: Know
     if names(right.node) or not names(left.node):
         return None
     pairs = paired(left.node, without_unit(right.node)) or ()
-    for speed in sorted(speeds_of(state.sections.sentence_leading_to(chain))):
+    words = state.sections.sentence_leading_to(chain)
+    if pairs:
+        words = state.document.text[max(0, chain.start - _FAR) : chain.start]
+    for speed in sorted(speeds_of(words)):
         exact = Product((Constant("pi"), Number(Fraction(speed, 30))))
         put_in = [(part, number) for part, number in pairs if _is_rounded(number, pi * speed / 30)]
         if not pairs:  # a result: of any speed behind it
