@@ -23,6 +23,7 @@ def last_verdict(page: str) -> tuple[str, str]:
         SLOW + r"At 6000 rpm the force is $m r\omega^2 = 7.90$ kN.",
         LANGSAM + "Festigkeit bei 6000/min: $ω R = 628,3 · 0,16$.",
         LANGSAM + "Bei 6000 U/min ist $ω r = 628 · 0,045$.",
+        LANGSAM + "Bei 6000 U/min läuft er. Es ist $ω r = 628 · 0,045$.",
         SLOW + "例:6000 rpm で $r\\omega = 0.040\\times 628.3$",
     ],
 )
@@ -39,7 +40,7 @@ def test_another_speed_in_the_sentence_is_that_of_its_formula(page):
         SLOW + r"At 6000 rpm it is $m r\omega^2 = 0.5\cdot 0.045\cdot 628.3^2$.",
         SLOW + r"At 6000 rpm the force is $m r\omega^2 = 9.70$ kN.",
         LANGSAM + "Bei 6000 U/min ist $ω r = 523,6 · 0,045$.",
-        LANGSAM + "Bei 6000 U/min läuft er. Es ist $ω r = 628 · 0,045$.",
+        LANGSAM + "Bei 6000 U/min läuft er. Es ist $ω r = 682 · 0,045$.",
     ],
 )
 def test_other_numbers_are_not_excused(page):
