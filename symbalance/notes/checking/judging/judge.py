@@ -30,6 +30,7 @@ from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
+from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
@@ -361,6 +362,7 @@ class Judge:
         leave_letter_said_anew(self.state, chain, k)
         verdict = with_size_said(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
         again = partial(self._link_in_scope, chain, k, k, bad=False)
+        verdict = by_own_numbers(self.state, chain, k, verdict, again)
         verdict = unless_repeated(self.state, chain, k, verdict, again)
         verdict = self._unless_excepted(chain, k, verdict)
         verdict = self._as_one_of_listed(chain, k, verdict)

@@ -71,6 +71,7 @@ from symbalance.notes.checking.units.stated_units import StatedUnits
 from symbalance.notes.checking.verdicts import CONTRADICTION, PROVED_WORDS, REFUTED, STATED
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
+from symbalance.notes.checking.words.labels_of_cases import LabelsOfCases
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -199,6 +200,11 @@ class JudgingState:
     def dead_centre_sizes(self) -> DeadCentreSizes:
         """The sizes of a piston's acceleration at the dead centres."""
         return DeadCentreSizes(self.engine_resultants)
+
+    @cached_property
+    def labels_of_cases(self) -> LabelsOfCases:
+        """The labels by which the page tells its engines or cases apart."""
+        return LabelsOfCases(self.document.text, self.sections)
 
     @cached_property
     def varying_speed(self) -> VaryingSpeed | None:

@@ -1,0 +1,56 @@
+"""Which of several engines or cases a place of a page is about, by labels: engine A, case b, Motor 2.
+
+A label stands for its thing until the next one of its section; a heading's, until one below it.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.text import lazy_patterns as re
+
+_THING = (
+    r"(?:engine|motor|machine|case|variant|version|design|layout|example|fall|maschine|variante|ausführung"
+    r"|auslegung|beispiel|moteur|cas|machine|exemple|motore|caso|versione|esempio|ejemplo)"
+)
+_LABELLED = re.compile(
+    rf"(?<![^\W\d_])(?i:{_THING})[ ~]{{1,2}}[\"“„'$(]?(?P<label>[A-Z]|[IVX]{{1,4}}|[1-9])(?![\w.,]?\w)"
+    r"|(?:エンジン|機関|場合|ケース)\s?(?P<sign>[A-Z1-9])(?!\w)"
+)
+_BESIDE = re.compile(
+    r"(?:than|unlike|against|versus|vs\.?|instead\s+of|not|from|als|gegenüber|statt|anders\s+als|que|contre)\s+"
+    r"(?:(?:for|of|in|bei|für|von|pour|de)\s+)?(?:the\s+|der\s+|dem\s+|le\s+)?$",
+    re.IGNORECASE,
+)
+"""Right before a thing that something is only compared with."""
+_NEAR = 40
+
+
+class LabelsOfCases:
+    """The labels of a page in order, and where its sections begin."""
+
+    def __init__(self, text: str, sections: Sections) -> None:
+        self._sections = sections
+        self._places: list[int] = []
+        self._labels: list[str] = []
+        for match in _LABELLED.finditer(text):
+            before = text[max(0, match.start() - _NEAR) : match.start()]
+            if _BESIDE.search(before) is None:
+                self._places.append(match.start())
+                self._labels.append(match["label"] or match["sign"])
+
+    @property
+    def are_several(self) -> bool:
+        """Whether the page has more than one label."""
+        return len(set(self._labels)) > 1
+
+    def end_of_line(self, line: int) -> int:
+        """Return where a line ends."""
+        return self._sections.start_of_line(line + 1) - 1
+
+    def at(self, place: int, line: int) -> str:
+        """Return the label that a place of a line is about, "" for none in its section."""
+        k = bisect_left(self._places, place) - 1
+        start = self._sections.start_of_line(self._sections.section_start(line))
+        return self._labels[k] if k >= 0 and self._places[k] >= start else ""
