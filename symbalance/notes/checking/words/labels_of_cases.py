@@ -1,6 +1,7 @@
 """Which of several engines or cases a place of a page is about, by labels: engine A, case b, Motor 2.
 
-A label stands for its thing until the next one of its section; a heading's, until one below it.
+A label in a heading stands for its thing until the next label of its section; one in a sentence to the
+end of its paragraph, or of the sentence where that goes on in a display.
 """
 
 from __future__ import annotations
@@ -19,11 +20,13 @@ _LABELLED = re.compile(
     r"|(?:エンジン|機関|場合|ケース)\s?(?P<sign>[A-Z1-9])(?!\w)"
 )
 _BESIDE = re.compile(
-    r"(?:than|unlike|against|versus|vs\.?|instead\s+of|not|from|als|gegenüber|statt|anders\s+als|que|contre)\s+"
+    r"(?:than|unlike|(?:compared|relative)\s+(?:with|to)|verglichen\s+mit|im\s+Vergleich\s+(?:zu[rm]?|mit)"
+    r"|rispetto\s+a|compar[ée]+e?\s+[àa]u?|against|versus|vs\.?|instead\s+of|not|from|als|gegenüber|statt|anders\s+als|que|contre)\s+"
     r"(?:(?:for|of|in|bei|für|von|pour|de)\s+)?(?:the\s+|der\s+|dem\s+|le\s+)?$",
     re.IGNORECASE,
 )
 """Right before a thing that something is only compared with."""
+_SENTENCE_END = re.compile(r"[.!?](?=\s|$)|。")
 _NEAR = 40
 
 
@@ -31,7 +34,7 @@ class LabelsOfCases:
     """The labels of a page in order, and where its sections begin."""
 
     def __init__(self, text: str, sections: Sections) -> None:
-        self._sections = sections
+        self._text, self._sections = text, sections
         self._places: list[int] = []
         self._labels: list[str] = []
         for match in _LABELLED.finditer(text):
@@ -51,6 +54,11 @@ class LabelsOfCases:
 
     def at(self, place: int, line: int) -> str:
         """Return the label that a place of a line is about, "" for none in its section."""
-        k = bisect_left(self._places, place) - 1
-        start = self._sections.start_of_line(self._sections.section_start(line))
-        return self._labels[k] if k >= 0 and self._places[k] >= start else ""
+        sections, k = self._sections, bisect_left(self._places, place) - 1
+        heading = sections.section_start(line)
+        if k < 0 or self._places[k] < sections.start_of_line(heading):
+            return ""
+        label = self._places[k]
+        is_in_heading = label < sections.start_of_line(heading + 1) and sections.heading_above(line) != ""
+        is_here = is_in_heading or label >= sections.start_of_line(sections.paragraph_start(line))
+        return self._labels[k] if is_here or not _SENTENCE_END.search(self._text, label, place) else ""
