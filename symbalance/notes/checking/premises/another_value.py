@@ -187,7 +187,7 @@ def _is_of_another_in_its_sentence(
     if not before or before[-1].start < start:
         return False
     text, end = sections.document.text, before[-1].end
-    if names(value) or names(before[-1].sides[1].node):
+    if names(value):
         return all(opens_case(text, c.start, c.end) for c in (before[-1], chain))
     if any(names(c.sides[1].node) for c in before):
         return False  # its formula says which number it has where
