@@ -876,7 +876,7 @@ class Judge:
         if converted is not None and converted.is_proved:
             return None  # 17.9 lb.-in. is 206 kg mm, or a moment
         lettered = [against]
-        if against:  # m = 0.44 + 0.18 = 0.62 m is no mass, nor ω = 2πn/60 = 314.2 kg a speed
+        if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
             symbols = self.declarations.symbols_at(chain.lines[0])
             heads = ((n, chain.sides[n].node) for n in range(against))
             lettered += [

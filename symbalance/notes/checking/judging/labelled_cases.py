@@ -41,7 +41,7 @@ def by_own_numbers(
         return verdict
     definitions = state.definitions
     values = definitions.values
-    definitions.values = {
+    kept = {
         name: [
             entry
             for entry in entries
@@ -49,6 +49,7 @@ def by_own_numbers(
         ]
         for name, entries in values.items()
     }
+    definitions.values = {name: entries for name, entries in kept.items() if entries}
     try:
         there = again()
     finally:

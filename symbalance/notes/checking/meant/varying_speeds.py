@@ -27,6 +27,7 @@ from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbol_roles import letters_by_role
 from symbalance.notes.checking.meant.motion_in_time import time_letter
+from symbalance.notes.checking.units.dimensions import Dimensions
 from symbalance.notes.reading.equations import ReadNotes
 
 _ZERO = Number(Fraction(0))
@@ -50,9 +51,12 @@ def varying_speed(page: ReadNotes, declarations: Declarations) -> VaryingSpeed |
     angles, speeds = roles.get("crank angle", []), roles.get("angular speed", [])
     if time is None or not angles or not speeds:
         return None
+    dimensions = Dimensions(declarations.symbols, {})
     for chain in page.chains:
         for k, relation in enumerate(chain.relations):
             left, right = chain.sides[k], chain.sides[k + 1]
+            if dimensions.mismatch(left.node, right.node, ("", "")) is not None:
+                continue
             for letter, rate in _rates(
                 (left.node, right.node), relation.sign, angles[0], speeds[0], time
             ):
