@@ -37,10 +37,15 @@ def by_own_numbers(
         for name in sorted(behind & known.keys())
         if known[name].numeric and _owner(labels, known[name]) not in ("", own)
     ]
-    if not strange:
-        return verdict
     definitions = state.definitions
     values = definitions.values
+    has_own = {
+        name
+        for name, entries in values.items()
+        if any(e.definition.numeric and _owner(labels, e.definition) == own for e in entries)
+    }
+    if not strange or not has_own.issuperset(strange):
+        return verdict  # what the own case does not give anew is as it was
     kept = {
         name: [
             entry

@@ -21,6 +21,7 @@ from symbalance.document.formula import (
     Span,
     Sum,
     names,
+    walk,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue, derivative_name
 from symbalance.notes.algebra.letters_behind import names_behind
@@ -99,7 +100,8 @@ def _rates(
 
 def _is_steady(value: Formula, angle: str, speed: str, time: str) -> bool:
     """Tell whether a speed is no formula of angle or time, or an angle over its time: θ/t, dθ/dt."""
-    if isinstance(value, Derivative) or speed in names(value) or not names(value) & {angle, time}:
+    is_rate = any(isinstance(part, Derivative) for part in walk(value))
+    if is_rate or speed in names(value) or not names(value) & {angle, time}:
         return True
     return (
         isinstance(value, Quotient) and value.numerator == Name(angle) and value.denominator == Name(time)

@@ -202,7 +202,19 @@ def _is_of_another_in_its_sentence(
         words = words[: other.start - end] + words[other.end - end :]
     points = sample_trees([before[-1].sides[1].node, value], SymbolValue(), 1)
     is_far = bool(points) and abs(points[0][1][0] - points[0][1][1]) > ROUNDED * abs(points[0][1][0])
-    return is_far and _WORD.search(words) is not None
+    are_cases = all(opens_case(text, c.start, c.end) for c in (before[-1], chain))
+    return (
+        is_far
+        and _WORD.search(words) is not None
+        and (are_cases or _TWO_THINGS.search(words) is not None)
+    )
+
+
+_TWO_THINGS = re.compile(
+    r"(?<![^\W\d_])(?:the\s+(?:other|second|larger|smaller|short|long|new|old)|(?:engine|motor|twin|cylinder|rod|piston|shaft)s?"
+    r"|beim|der\s+(?:andere|zweite)|Motor|pour|l'autre|cel(?:ui|le)|while|whereas|während|tandis)(?![^\W\d_])"
+)
+"""Words between two numbers by which the second one is of another thing."""
 
 
 _BEHIND = re.compile(
@@ -211,6 +223,7 @@ _BEHIND = re.compile(
 _WORD = re.compile(r"(?<![\\A-Za-z])[^\W\d_]{3,}|[\u3041-\u9fff]{2}")
 _CONCLUDES = re.compile(
     r"(?<![^\W\d_])(?:that\s+is|i\.?\s?e\.|d\.?\s?h\.|das\s+heißt|c'est-à-dire|soit|cio[eè]|es\s+decir|also|or|oder|ou"
+    r"|because|since|means|whence|hence|so|therefore|thus|damit|donc|daher|weil|folglich|quindi|perché|luego|porque|car"
     r"|rounded|about|say|gerundet|rund|etwa|environ|circa)(?![^\W\d_])|すなわち|つまり|約",
     re.IGNORECASE,
 )
