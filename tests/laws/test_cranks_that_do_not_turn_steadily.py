@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symbalance.notes.checking import check
+from tests.checked_pages import in_displays, last_verdict
 
 SYMBOLS = """[symbols]
 "theta" = "crank angle"
@@ -50,18 +50,11 @@ RIGHT = [
 PROVED = ("holds", "holds_to_order", "conditional")
 
 
-def _last(tmp_path, lines):
-    page = tmp_path / "page.md"
-    page.write_text("\n\n".join(f"$${line}$$" for line in lines) + "\n", encoding="utf-8")
-    (tmp_path / "page.symbols.toml").write_text(SYMBOLS, encoding="utf-8")
-    return check(page).verdicts[-1].verdict
-
-
 @pytest.mark.parametrize("lines", WRONG)
 def test_what_a_steady_crank_does_does_not_hold(tmp_path, lines):
-    assert _last(tmp_path, lines) not in (*PROVED, "definition", "premise")
+    assert last_verdict(tmp_path, in_displays(lines), SYMBOLS) not in (*PROVED, "definition", "premise")
 
 
 @pytest.mark.parametrize("lines", RIGHT)
 def test_what_this_crank_does_holds(tmp_path, lines):
-    assert _last(tmp_path, lines) in PROVED
+    assert last_verdict(tmp_path, in_displays(lines), SYMBOLS) in PROVED

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symbalance.notes.checking import check
+from tests.checked_pages import last_verdict
 
 SYMBOLS = (
     '[symbols]\n"r" = "crank radius"\n"l" = "rod length"\n"lambda" = "crank ratio r/l"\n"s" = "stroke"\n'
@@ -22,18 +22,15 @@ WRONG = ["100", "0.333", "0.333", "0.286", "0.286"]
 PROVED = ("holds", "holds_to_order", "conditional")
 
 
-def _last(tmp_path, page):
-    path = tmp_path / "page.md"
-    path.write_text(page + "\n", encoding="utf-8")
-    (tmp_path / "page.symbols.toml").write_text(SYMBOLS, encoding="utf-8")
-    return check(path).verdicts[-1].verdict
-
-
 @pytest.mark.parametrize(("page", "number"), [*zip(PAGES, RIGHT, strict=True)])
 def test_the_own_numbers_prove_it(tmp_path, page, number):
-    assert _last(tmp_path, page.format(number)) in PROVED
+    assert last_verdict(tmp_path, page.format(number), SYMBOLS) in PROVED
 
 
 @pytest.mark.parametrize(("page", "number"), [*zip(PAGES, WRONG, strict=True)])
 def test_those_of_the_other_do_not(tmp_path, page, number):
-    assert _last(tmp_path, page.format(number)) in ("refuted", "undecided", "contradiction")
+    assert last_verdict(tmp_path, page.format(number), SYMBOLS) in (
+        "refuted",
+        "undecided",
+        "contradiction",
+    )

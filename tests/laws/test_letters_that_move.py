@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symbalance.notes.checking import check
+from tests.checked_pages import in_displays, last_verdict
 
 SYMBOLS = """[symbols]
 "theta" = "crank angle"
@@ -50,22 +50,18 @@ RIGHT = [
 ]
 
 
-def _last(tmp_path, lines):
-    page = tmp_path / "page.md"
-    page.write_text("\n\n".join(f"$${line}$$" for line in lines) + "\n", encoding="utf-8")
-    (tmp_path / "page.symbols.toml").write_text(SYMBOLS, encoding="utf-8")
-    return check(page).verdicts[-1].verdict
-
-
 @pytest.mark.parametrize("lines", WRONG)
 def test_what_moves_by_its_formula_is_not_constant(tmp_path, lines):
-    assert _last(tmp_path, lines) == "refuted"
+    assert last_verdict(tmp_path, in_displays(lines), SYMBOLS) == "refuted"
 
 
 @pytest.mark.parametrize("lines", RIGHT)
 def test_the_rate_of_its_formula_holds(tmp_path, lines):
-    assert _last(tmp_path, lines) == "holds"
+    assert last_verdict(tmp_path, in_displays(lines), SYMBOLS) == "holds"
 
 
 def test_a_ratio_may_change_with_a_length(tmp_path):
-    assert _last(tmp_path, [r"\frac{d\lambda}{dr} = 0"]) not in ("holds", "holds_to_order")
+    assert last_verdict(tmp_path, in_displays([r"\frac{d\lambda}{dr} = 0"]), SYMBOLS) not in (
+        "holds",
+        "holds_to_order",
+    )

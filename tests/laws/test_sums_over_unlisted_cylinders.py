@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symbalance.notes.checking import check
+from tests.checked_pages import in_displays, last_verdict
 
 HEAD = r"V_k = F A_k \sum_j \cos k(\varphi - \alpha_j)\, e^{i\alpha_j}"
 PRODUCT = r"P = \sum_j \sin(\varphi+\alpha_j)\cos(\psi+2\alpha_j)"
@@ -37,17 +37,11 @@ WRONG = [
 ]
 
 
-def _last(tmp_path, lines):
-    page = tmp_path / "page.md"
-    page.write_text("\n\n".join(f"$${line}$$" for line in lines) + "\n", encoding="utf-8")
-    return check(page).verdicts[-1].verdict
-
-
 @pytest.mark.parametrize("lines", RIGHT)
 def test_an_identity_of_sums_holds(tmp_path, lines):
-    assert _last(tmp_path, lines) == "holds"
+    assert last_verdict(tmp_path, in_displays(lines)) == "holds"
 
 
 @pytest.mark.parametrize("lines", WRONG)
 def test_one_slip_in_it_is_refuted(tmp_path, lines):
-    assert _last(tmp_path, lines) == "refuted"
+    assert last_verdict(tmp_path, in_displays(lines)) == "refuted"

@@ -239,11 +239,21 @@ class Knowledge:
 
     def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""
-        known = {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
-        unsaid = {n for n, d in self.definitions.items() if d.solved or d.assumption or d.is_rough}
-        written = {name: node for name, node in known.items() if name not in unsaid}
-        meaning = replace(self.meaning, values=level.values, known=known, written=written)
+        meaning = replace(
+            self.meaning, values=level.values, known=self._known_values, written=self._written_formulas
+        )
         return FormEvaluator(meaning.domain(), meaning)
+
+    @cached_property
+    def _known_values(self) -> dict[str, Formula]:
+        """What letters equal by lines or by their meanings."""
+        return {**{name: d.node for name, d in self.definitions.items()}, **self.meaning.values}
+
+    @cached_property
+    def _written_formulas(self) -> dict[str, Formula]:
+        """Of these, what lines and meanings say exactly, and not what was solved for or assumed."""
+        unsaid = {n for n, d in self.definitions.items() if d.solved or d.assumption or d.is_rough}
+        return {name: node for name, node in self._known_values.items() if name not in unsaid}
 
     def knows(self, name: str) -> bool:
         """Tell whether a letter has a value."""

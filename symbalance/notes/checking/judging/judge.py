@@ -885,10 +885,7 @@ class Judge:
                 if isinstance(head, Name)
                 and (_has_dimension(head, symbols) or _has_formula(head, knowledge))
             ]
-            is_of_numbers = not names(chain.sides[against].node)
-            formulas = (
-                n for n in range(against - 1, 0, -1) if is_of_numbers and names(chain.sides[n].node)
-            )
+            formulas = (n for n in range(against - 1, 0, -1) if names(chain.sides[n].node))
             lettered += [n for n in formulas if n not in lettered][:1]  # m r ω² = 0.7·0.045·314² = 3110 J
         for place in lettered:
             mismatches = list(self._mismatches(chain, k, place, knowledge).values())

@@ -56,13 +56,10 @@ def varying_speed(page: ReadNotes, declarations: Declarations) -> VaryingSpeed |
     for chain in page.chains:
         for k, relation in enumerate(chain.relations):
             left, right = chain.sides[k], chain.sides[k + 1]
-            if dimensions.mismatch(left.node, right.node, ("", "")) is not None:
-                continue
-            for letter, rate in _rates(
-                (left.node, right.node), relation.sign, angles[0], speeds[0], time
-            ):
-                place = (left.span, right.span)
-                return VaryingSpeed(chain.lines[0], place, letter, rate, speeds[0], time)
+            sides = left.node, right.node
+            said = next(_rates(sides, relation.sign, angles[0], speeds[0], time), None)
+            if said is not None and dimensions.mismatch(*sides, ("", "")) is None:
+                return VaryingSpeed(chain.lines[0], (left.span, right.span), *said, speeds[0], time)
     return None
 
 

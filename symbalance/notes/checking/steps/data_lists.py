@@ -7,6 +7,7 @@ that follow from something, claim that they fit. So a datum is open, with the li
 from __future__ import annotations
 
 from dataclasses import replace
+from operator import attrgetter
 
 from symbalance.document.formula import Name, Product, names
 from symbalance.notes.checking.premises.another_prefix import ANOTHER_PREFIX, FEWEST_DIGITS
@@ -164,7 +165,9 @@ def _completes_product(state: JudgingState, chain: Chain) -> bool:
     head, sections = chain.sides[0].node, state.sections
     ends = _ENDS.match(state.document.text, chain.end) is not None
     last = max(
-        (c for c in sections.chains_on(chain.lines[0]) if c.end <= chain.start), key=_end, default=None
+        (c for c in sections.chains_on(chain.lines[0]) if c.end <= chain.start),
+        key=attrgetter("end"),
+        default=None,
     )
     if not ends or last is None or not isinstance(head, Name) or not isinstance(last.sides[0].node, Name):
         return False
@@ -180,7 +183,3 @@ def _completes_product(state: JudgingState, chain: Chain) -> bool:
         and sections.same_section(c.lines[0], chain.lines[0])
         for c in sections.in_order
     )
-
-
-def _end(chain: Chain) -> int:
-    return chain.end

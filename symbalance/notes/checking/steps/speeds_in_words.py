@@ -28,7 +28,7 @@ _FAR = 240
 
 
 def at_speed_in_words(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
-    """Return the proof of a refuted relation at the engine speed that its sentence names, or None."""
+    """Return the proof of a refuted relation at the engine speed that its words name, or None."""
     left, right = chain.sides[k], chain.sides[k + 1]
     if names(right.node) or not names(left.node):
         return None

@@ -79,7 +79,8 @@ def decide_half_of_a_swing(
 def _is_half_said(resultants: EngineResultants, chain: Chain) -> bool:
     """Tell whether the words before a formula speak of one backward shaft, and of half."""
     text = resultants.words.document.text
-    floor = _start_of_line(text, resultants.sections.section_start(chain.lines[0]))
+    sections = resultants.sections
+    floor = sections.start_of_line(sections.section_start(chain.lines[0]))
     near = text[max(floor, chain.start - _NEAR) : chain.start]
     is_of_shaft = _SHAFT.search(near) and _BACKWARDS.search(near) and not _OTHERWISE.search(near)
     is_half = _HALF.search(text, max(floor, chain.start - _FAR), chain.start)
@@ -153,11 +154,3 @@ def _swings(letters: EngineLetters, chain: Chain, knowledge: Knowledge) -> list[
 
 def _is_speed(name: str) -> bool:
     return name in _SPEEDS or plain_letter(name) == "ω"
-
-
-def _start_of_line(text: str, line: int) -> int:
-    """Return where a line of a text begins, counted from 1."""
-    place = 0
-    for _ in range(line - 1):
-        place = text.find("\n", place) + 1
-    return place
