@@ -319,7 +319,9 @@ _OF_FORMULA = re.compile(
 
 
 _STYLED = re.compile(r"\{\\(?:display|text)style\s+(.*)\}", re.DOTALL)
+"""The TeX of a picture as Wikipedia has it, {\\displaystyle a = b}."""
 _MATHML_BEFORE = re.compile(r"</math\s*>\s*(?:</span\s*>\s*){0,3}$", re.IGNORECASE)
+"""The end of a formula as MathML, and of what holds it, right before its picture."""
 
 
 def _picture(match: re.Match[str]) -> Texts:

@@ -19,6 +19,7 @@ _LABELLED = re.compile(
     rf"(?<![^\W\d_])(?i:{_THING})[ ~]{{1,2}}[\"“„'$(]?(?P<label>[A-Z]|[IVX]{{1,4}}|[1-9])(?![\w.,]?\w)"
     r"|(?:エンジン|機関|場合|ケース)\s?(?P<sign>[A-Z1-9])(?!\w)"
 )
+"""A thing with its label: Engine A, "case II", エンジンB; no word that begins with it, engine Alpha."""
 _BESIDE = re.compile(
     r"(?:than|unlike|(?:compared|relative)\s+(?:with|to)|verglichen\s+mit|im\s+Vergleich\s+(?:zu[rm]?|mit)"
     r"|rispetto\s+a|compar[ée]+e?\s+[àa]u?|against|versus|vs\.?|instead\s+of|not|from|als|gegenüber|statt|anders\s+als|que|contre)\s+"
@@ -28,6 +29,7 @@ _BESIDE = re.compile(
 """Right before a thing that something is only compared with."""
 _SENTENCE_END = re.compile(r"[.!?](?=\s|$)|。")
 _NEAR = 40
+"""Characters before a label in which the words stand that only compare with it."""
 
 
 class LabelsOfCases:

@@ -70,6 +70,7 @@ _OTHERWISE = re.compile(
     re.IGNORECASE,
 )
 _NEAR = 60
+"""Characters before a size in which words say that it is of another engine, or only supposed."""
 
 
 @dataclass(frozen=True, slots=True)

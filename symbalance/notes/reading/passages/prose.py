@@ -172,9 +172,11 @@ _NUMBERED = re.compile(
     r"|variante|example|beispiel|exemple)[ ~]?$",
     re.IGNORECASE,
 )
+"""Words for things that are counted, whose number is no factor: cylinder 2."""
 _LABEL_FIRST = re.compile(
     r"[ ~]?[0-9]{1,2}[,:]?\s+(?=[^\W\d][\w']{0,12}(?:\([^()=\n]{1,12}\))?\s*[=≈≒≃])"
 )
+"""Such a number before a letter that is set equal to something."""
 
 
 def _after_speed(text: str, start: int, end: int) -> int:
