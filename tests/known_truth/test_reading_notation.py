@@ -76,6 +76,8 @@ ARGUMENTS = [
     (r"\sin\theta\,\frac{r}{l}", ["sin(θ) (r/l)"]),
     (r"\sin\frac{\pi}{3}\,r", ["sin(π/3) r"]),
     (r"\cos 45^\circ F", ["cos(45 (π/180)) F"]),
+    ("cos45 [cos(t-45) + 1]", ["cos(45) (cos(t - 45) + 1)"]),
+    ("sin 2(θ + φ)", ["sin(2 (θ + φ))"]),
     (r"\cos\theta r", ["cos(θ) r", "cos(θ r)"]),
     ("cos θ r", ["cos(θ) r"]),
     ("cosθr", ["cos(θ) r", "cos(θ r)"]),

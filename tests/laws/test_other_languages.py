@@ -8,6 +8,7 @@ from symbalance.checking import check
 from symbalance.notes.checking.words import glossary
 from symbalance.notes.checking.words.glossary import Glossary, glossary_of, language_of
 from tests import TESTS
+from tests.checked_pages import last_verdict
 
 LANGUAGES = sorted({*glossary._MARKERS} - {"english", "german"})
 SENTENCES = {
@@ -56,3 +57,41 @@ def test_a_verdict_quotes_the_page_and_not_the_english_term():
     page = "La poussée latérale du piston sur la paroi du cylindre est $N = F_p\\tan\\beta$.\n"
     (verdict,) = check(page, {}).verdicts
     assert "taken from the words “poussée latérale”" in verdict.assumption
+
+
+CRANK = (
+    "$r$ est le rayon de manivelle, $\\theta$ l'angle de manivelle, $\\beta$ l'obliquité de la bielle."
+    " La course $2r$ vaut 80 mm.\n\n"
+)
+
+
+@pytest.mark.parametrize(("sign", "verdict"), [("+", ("conditional",)), ("-", ("refuted",))])
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Si les gaz poussent le piston de $F$, le couple des gaz est\n",
+        "La force des gaz sur le piston est $F$. Le couple moteur vaut\n",
+    ],
+)
+def test_a_noun_that_begins_a_clause_names_no_letter_before_it(tmp_path, words, sign, verdict):
+    formula = f"$$M = F r \\frac{{\\sin(\\theta{sign}\\beta)}}{{\\cos\\beta}}$$"
+    assert last_verdict(tmp_path, CRANK + words + formula) in verdict
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        "La masse volumique de la fonte est $\\rho = 7200$ kg/m³, la vitesse $v = 40$ m/s.",
+        "Die spezifische Masse ist $\\rho = 7200$ kg/m³, die Geschwindigkeit $v = 40$ m/s.",
+        "La massa volumica è $\\rho = 7200$ kg/m³, la velocità $v = 40$ m/s.",
+    ],
+)
+def test_a_mass_by_volume_is_no_mass(tmp_path, data):
+    symbols = '[symbols]\n"\\\\rho" = "masse volumique de la fonte"\n"\\\\sigma" = "contrainte"\n'
+    assert last_verdict(tmp_path, f"{data}\n\n$\\sigma = \\rho v^2$", symbols) == "definition"
+
+
+def test_a_density_by_another_name_has_its_dimension(tmp_path):
+    page = "$\\rho = 7200$ kg/m³, $v = 40$ m/s, $\\rho v^2 = 11.52$ {}"
+    assert last_verdict(tmp_path, page.format("MPa")) in ("holds", "holds_to_order")
+    assert last_verdict(tmp_path, page.format("MN")) == "refuted"

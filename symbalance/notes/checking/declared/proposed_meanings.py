@@ -56,6 +56,11 @@ _BEFORE = re.compile(
     r"|は[^、。は]{0,14}|が[^、。は]{0,20}|を|…|\.{2,3}|[-–—])[\s$]*"
     r"(?:(?:the|a|an|der|die|das|den|its|one|half)\s+)?"
 )
+_APPOSED = re.compile(r"[\s$\\)}\]]*,\s*(?:the|der|die|das)\b")
+_IS_SUBJECT = re.compile(
+    r"[^,.;:=()$]{0,40}?\b(?:is|are|equals|becomes|ist|sind|wird|beträgt|lautet)\b", re.IGNORECASE
+)
+"""Behind a phrase that has a verb of its own, and is no apposition."""
 _OF_LIST = re.compile(r"[\s$\\)]{1,4}(?:the|der|die|das|den)\s+")
 _BARE = re.compile(r"\$ |\\\) ")
 _LISTED = re.compile(r"(?:^|[,;:(]|\*)\s*(?:\$|\\\()\s*\\?$")
@@ -101,6 +106,8 @@ def gap_is_naming(line: str, start: int, end: int, first: int, last: int) -> boo
         return _AFTER.fullmatch(line, end, first) is not None
     if last > start:
         return False
+    if _APPOSED.match(line, last, start) and _IS_SUBJECT.match(line, end):
+        return False  # "pushed with F, the torque is M": the words begin a clause, and name its letter
     # "R is the crank radius, L the length of the rod": of a list each but the first goes without "is"
     is_in_list = line[:first].rstrip(" $\\(").endswith((",", ";", "and", "und", "with", "where", "mit"))
     is_of_list = is_in_list and _OF_LIST.fullmatch(line, last, start) is not None

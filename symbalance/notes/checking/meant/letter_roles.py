@@ -211,8 +211,10 @@ class LetterRoles:
 
     def is_multiplied(self, letter: str) -> bool:
         """Tell whether words name a multiple of a letter, a length 2l or a mass m/2: then a factor may be
-        meant.
+        meant. A letter that words name by itself too, the crank radius r beside the stroke 2r, is that.
         """
+        if self._roles_named(letter)[0]:
+            return False
         multiple = (
             rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{sign_of(letter)}"
         )

@@ -533,7 +533,9 @@ class NamedQuantities:
             return None
         count = named.cylinders
         is_of_more = quantity.is_of_one and (count or 1) > 1
-        is_scaled = is_of_more or any(self.roles.is_multiplied(n) for n in outside_calls(claim))
+        is_scaled = is_of_more or any(
+            self.roles.is_multiplied(n) for n in outside_calls(claim) if not knowledge.meanings.get(n)
+        )
         own = _without_letters_named(named.sentence, names(claim))
         is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
         if quantity.only is not None or (is_counted and len(self.counts) == 1):

@@ -63,6 +63,7 @@ _PART = re.compile(
 _NOT_IT = re.compile(
     r"(?<![a-z])(?:per|pro|par|ratio|relative|specific|reduced|dimensionless|unit|units|number|coefficient|factor|half|times"
     r"|squared?|inverse|reciprocal|logarithm|percent|share|fraction|divided|over|durch|sur|verhältnis|bezogen\w*"
+    r"|(?:vol[uú]mi|superfi[cz]i|surfaci|linéi|linei|massi|mási|molai|specifi|spécifi|réduit|ridott|reducid)\w*"
     r"|rms|index|equivalent|(?:real|imaginary) axis|complex plane)(?![a-z])|[/÷²^]|verhältnis|zahl\b"
 )
 
@@ -75,8 +76,8 @@ def unit_by_words(meaning: str) -> str:
     ('N m', 'N', '')
     >>> unit_by_words("mass per unit length"), unit_by_words("couple de correction")
     ('', 'N m')
-    >>> unit_by_words("Zylinderabstand"), unit_by_words("Zündabstand")
-    ('m', '')
+    >>> unit_by_words("Zylinderabstand"), unit_by_words("Zündabstand"), unit_by_words("masse volumique")
+    ('m', '', '')
     """
     text = " ".join(meaning.lower().split())
     if part := _PART.fullmatch(text):

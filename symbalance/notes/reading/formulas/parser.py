@@ -887,10 +887,11 @@ class Parser:
         one too, unless it holds an angle or the time.
         """
         last, inside = factors[-1], self._tokens_in_bracket()
+        is_number = not any(map(names, factors))
         has_angle_before = any(name not in _INDICES for factor in factors for name in names(factor))
-        is_bare = not self.at("open", "{") and has_angle_before
+        is_bare = not self.at("open", "{") and (has_angle_before or is_number)
         if is_bare and any(token.kind == "function" and token.value in _OF_ANGLES for token in inside):
-            return False  # cos V/2 [cos(θ - V/2) + …]
+            return False  # cos V/2 [cos(θ - V/2) + …], cos45 [cos(t - 45) + …]
         if self.at("open", "{") or not isinstance(last, Name) or last.name in _INDICES:
             return True
         if any(token.kind == "function" for token in inside):
