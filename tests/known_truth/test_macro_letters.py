@@ -42,3 +42,21 @@ def test_a_macro_beside_its_letter_with_the_same_meaning_is_one_declaration():
 def test_what_a_macro_cannot_declare_is_refused(symbols, rule):
     with pytest.raises(SymbalanceError, match=rule):
         check(PAGE, symbols)
+
+
+PICTURE = r"""\newcommand{\star}[1]{% seen from the front
+  \begin{tikzpicture}
+    \draw (0,0) -- (#1);
+
+  \end{tikzpicture}}
+\star{3} \star{4}
+
+$2+2=5$
+"""
+
+
+def test_what_stands_behind_a_macro_of_many_lines_keeps_its_line(tmp_path):
+    page = tmp_path / "page.tex"
+    page.write_text(PICTURE, encoding="utf-8")
+    (verdict,) = check(page).verdicts
+    assert (verdict.line, verdict.verdict) == (8, "refuted")

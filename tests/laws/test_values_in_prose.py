@@ -51,3 +51,22 @@ def test_a_name_behind_the_noun_of_a_french_text_is_one_letter():
     page = "La masse ma vaut 0.5 kg, R = 45 mm et w = 100 rad/s.\nF1 = ma R w² = 225 N\n"
     assert word(page) in ("holds", "holds_to_order", "conditional")
     assert word(page.replace("225", "325")) == "refuted"
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "The stroke $C$ is $2R = 80$ mm, with $R = 40$ mm.",
+        "La course $C$ vaut $2R = 80$ mm, avec $R = 40$ mm.",
+        "Der Hub $C$ beträgt $2R = 80$ mm mit $R = 40$ mm.",
+    ],
+)
+def test_a_letter_said_to_be_a_formula_has_what_that_comes_to(said):
+    area = "Mit $A = 50$ cm²."
+    assert word(f"{said} {area}\n\n$A C = 400$ cm³") in ("holds", "holds_to_order", "conditional")
+    assert word(f"{said} {area}\n\n$A C = 410$ cm³") == "refuted"
+
+
+@pytest.mark.parametrize("said", ["The stroke $C$ is $2R$.", "The stroke C is 2R.", r"$C$ is $2\pi$."])
+def test_a_factor_of_a_formula_is_no_value(said):
+    assert word(f"{said}\n\n$3 C = 6$") not in ("holds", "holds_to_order", "conditional")

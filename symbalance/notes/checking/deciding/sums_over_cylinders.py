@@ -71,6 +71,8 @@ def decide_over_cylinders(
 
     Where the words leave two sets of angles open, it is refuted only if it is false for both.
     """
+    if knowledge.crank_angles is not None:
+        left, right = (_with_sums_named(node, knowledge) for node in (left, right))
     left, right = (_with_bounds(node, knowledge) for node in (left, right))
     (left, left_count), (right, right_count) = (_over_one_turn(node, knowledge) for node in (left, right))
     if count := left_count or right_count:
@@ -128,6 +130,15 @@ def decide_over_cylinders(
     is_unsaid = is_unsaid and decision.status == UNDECIDED
     reason = NO_ANGLES if listed is None else f"{NO_BODY} ({listed.text})"
     return replace(decision, reason=reason) if is_unsaid else decision
+
+
+def _with_sums_named(node: Formula, knowledge: Knowledge) -> Formula:
+    """Return a formula with the sums over cylinders put in that letters stand for: S_2 = Σ cos 2α_k."""
+    for name in sorted(names(node) & knowledge.definitions.keys()):
+        value = knowledge.definitions[name].node
+        if any(isinstance(part, Summation) and part.upper is None for part in walk(value)):
+            node = substitute(node, name, value)
+    return node
 
 
 def _either_way(angles: CrankAngles) -> tuple[CrankAngles, ...]:

@@ -88,6 +88,7 @@ from symbalance.notes.checking.steps.another_place import (
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
+from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
@@ -378,6 +379,7 @@ class Judge:
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
         verdict = unless_a_formula_gives_it(self.state, chain, k, verdict)
         verdict = with_sizes_in_words(self.state, chain, k, verdict)
+        verdict = at_crank_angle_in_words(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
         verdict = unless_zero_as_printed(self.state, chain, k, verdict)

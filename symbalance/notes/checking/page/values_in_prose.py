@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from symbalance.document.formula import Name, Span
+from symbalance.document.formula import Name, Span, names
 from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
@@ -31,6 +31,10 @@ _GIVEN = re.compile(
     rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
     r"(?=(?P<behind>[^\n]{0,40}(?:\n[^\n]{0,20})?))"
 )
+_SAID = re.compile(
+    rf"{_LETTER}[ ](?:is|equals|ist|beträgt|est|vaut|è|vale|es)[ ~\n](?:\$|\\\()?\s*$"
+)
+"""Before a formula, the letter that a sentence says it is: the stroke $C$ is $2R = 80$ mm."""
 _SETTING = re.compile(r"\\(?:mathrm|text|textrm|rm)(?![A-Za-z])|[{}$]|\\[,;: ]|~")
 _POWER, _END = r"(?:\^?-?[0-9]|[²³])?", r"(?=[\s,.;:)、。のでにとをは]|$)"
 _WORD = rf"[A-Za-zµΩ][A-Za-z]{{0,4}}{_POWER}"
@@ -52,6 +56,7 @@ _OF_A_CASE = re.compile(
 )
 _CLAUSE = re.compile(r"(?:[.!?;。；]\s|\n\s*\n|。)")
 _LONGEST_CLAUSE = 120
+_FEW_SIDES = 3
 _SIZES = frozenset({"mm", "cm", "m", "in", "ft", "kg", "g", "lb"})
 """Units of numbers that may stand beside their letter without a verb."""
 
@@ -72,7 +77,7 @@ def values_in_prose(
     """Yield the values that sentences give; `letter_of` names the letter, None for what is no letter."""
     own = {side.node.name for chain in page.chains for side in chain.sides if isinstance(side.node, Name)}
     given: dict[str, list[GivenInProse]] = {}
-    for found in _given(page.text):
+    for found in (*_given(page.text), *_of_formulas(page)):
         name = letter_of(found)
         if name is not None:
             given.setdefault(name, []).append(found)
@@ -81,11 +86,28 @@ def values_in_prose(
             yield values[0]
 
 
+def _of_formulas(page: ReadNotes) -> Iterator[GivenInProse]:
+    """Yield the values that formulas come to of which a sentence says that a letter is that."""
+    for chain in page.chains:
+        first, last = chain.sides[0], chain.sides[-1]
+        if isinstance(first.node, Name) or names(last.node) or len(chain.sides) > _FEW_SIDES:
+            continue
+        start = max(chain.start - _LONGEST_CLAUSE, 0)
+        match = _SAID.search(page.text, start, chain.start)
+        if match is None or _OF_A_CASE.search(_CLAUSE.split(page.text[start : match.start()])[-1]):
+            continue
+        group = next(n for n in ("dollars", "bracket", "plain", "after_sign") if match[n])
+        value = " ".join(_SETTING.sub(" ", page.source(last.span).replace("{,}", ",")).split())
+        yield GivenInProse(match[group], match.span(group), value, last.span)
+
+
 def _given(text: str) -> Iterator[GivenInProse]:
     for match in _GIVEN.finditer(text):
         clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
         unit, end = _unit_behind(match["behind"])
         if match["beside"] and unit not in _SIZES:  # r 45 mm, and no r 2
+            continue
+        if not unit and _is_factor(text, *match.span("number")):
             continue
         if _OF_A_CASE.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
@@ -93,6 +115,12 @@ def _given(text: str) -> Iterator[GivenInProse]:
         value = f"{match['number']} {unit}".strip().replace("{,}", ",")
         value_span = match.start("number"), match.start("behind") + end
         yield GivenInProse(match[group], match.span(group), value, value_span)
+
+
+def _is_factor(text: str, first: int, last: int) -> bool:
+    """Tell whether a number without a unit goes on in a formula: the 2 of $2R = 80$ mm, or of 2R."""
+    is_within = text[first - 1 : first] == "$" and text[last : last + 1] != "$"
+    return is_within or text[last : last + 1].isalpha() or text[last : last + 1] == "\\"
 
 
 def _unit_behind(text: str) -> tuple[str, int]:

@@ -15,12 +15,14 @@ from symbalance.document.formula import (
     Number,
     Product,
     Sum,
+    Summation,
     names,
     walk,
 )
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
+from symbalance.notes.algebra.sums import indexed_letters
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import (
@@ -502,12 +504,21 @@ def _new_case(
         return True
     if names(earlier.node) and names(value) and not is_area:
         return isinstance(value, Name)
+    if not names(value) and _is_sum_over_listed_cranks(earlier.node, knowledge):
+        return False
     if names(earlier.node) or (names(value) and not is_area):
         return not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points or is_called_case:
         return True
     return _is_far(*points[0][1])
+
+
+def _is_sum_over_listed_cranks(node: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a formula is a sum over cylinders of nothing but their angles, and these are listed."""
+    if not isinstance(node, Summation) or node.index is None or knowledge.crank_angles is None:
+        return False
+    return names(node.body) == frozenset(indexed_letters(node.body, node.index.name))
 
 
 def _are_times_of_angles(*values: Formula) -> bool:

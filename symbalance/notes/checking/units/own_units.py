@@ -30,7 +30,8 @@ from symbalance.text import lazy_patterns as re
 
 BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a-z]+>|&nbsp;){0,5}"
 PER_MINUTE = (
-    r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours)\s?(?:/|per|pro|par)\s?"
+    r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?\.?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours|giri|rivoluzioni|vueltas|revoluciones|r)"
+    r"\s?(?:/|per|pro|par|an?|each|in\s(?:der|a|one)|al|por|à\sla)\s?"
     r"[Mm]in|min\s*\}?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
 )
 """The unit of revolutions per minute, and what stands between it and its number."""

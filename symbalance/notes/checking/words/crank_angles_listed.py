@@ -41,6 +41,11 @@ _CRANK_ANGLE = re.compile(r"crank\s*angles?|Kurbelwinkeln?|クランク角度?",
 _THROWS = re.compile(
     r"throws|crank\s*pins|kröpfung|cranks?\s+(?:are\s+)?at|_\s*\{?\s*[1ijkn]", re.IGNORECASE
 )
+_ANGLES_OF_A_LETTER = re.compile(
+    r"(?:\\(?:delta|psi|varphi|phi|alpha|beta|gamma)|[δψφϕαβγ])\s*\$?(?P<several>['’]s)?"
+    r"\s*(?::|are|runs?(?:\s+through)?|(?:is\s+)?equal(?:s|\s+to)?|sind|betragen|sont|valent)\s*[$(\\{]*$"
+)
+"""Before a list, the letter whose values for one cylinder after the other it gives: the δ's are 0, π, π, 0."""
 _RANGE = re.compile(
     r"(?:between|zwischen|interval|range|from|von|Bereich|∈|\\in|\[)[\s$(]*$", re.IGNORECASE
 )
@@ -262,6 +267,9 @@ def _is_of_cranks(before: str, behind: str, degrees: tuple[Fraction, ...]) -> bo
     if _OF_CRANKS.search(bare_before) or _OF_CRANKS.search(bare_behind):
         return True
     is_arrangement = len(set(degrees)) < len(degrees)
+    letter = _ANGLES_OF_A_LETTER.search(before)
+    if letter is not None and (is_arrangement or letter["several"]):
+        return True
     return is_arrangement and bool(_CRANK_ANGLE.search(before) or _CRANK_ANGLE.search(behind))
 
 

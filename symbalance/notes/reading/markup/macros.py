@@ -33,6 +33,7 @@ _DEFINITION = re.compile(
     rf"(?![A-Za-z])\*?\s*{_NAME}"
 )
 _COUNT = re.compile(r"\s*\[\s*([0-9])\s*\]")
+_COMMENT = re.compile(r"(?<!\\)%[^\n]*\n[ \t]*")
 _DEFAULT = re.compile(r"\s*\[([^\]\n]{0,200})\]")
 _PARAMETERS = re.compile(r"((?:\s*#[1-9])*)\s*(?=\{)")
 _LET = re.compile(r"\s*=?\s*(\\[A-Za-z@]+)")
@@ -340,6 +341,7 @@ class Round:
     def _filled(self, body: str, arguments: list[str | Span]) -> list[str | Span]:
         texts: list[str | Span] = []
         done = 0
+        body = _in_one_line(body)
         for match in _PARAMETER.finditer(body):
             before = body[done : match.start()]
             number = int(match[1])
@@ -353,6 +355,14 @@ class Round:
             texts += [before + parting, argument]
             done = match.end()
         return [*texts, body[done:]]
+
+
+def _in_one_line(body: str) -> str:
+    """Return the body of a macro without line ends: what stands behind its use keeps its line number."""
+    if "\n" not in body:
+        return body
+    body = _COMMENT.sub("", body)
+    return re.sub(r"\n", " ", re.sub(r"\n[ \t]*\n\s*", r"\\par ", body))
 
 
 # Commands of packages

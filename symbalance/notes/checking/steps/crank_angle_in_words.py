@@ -1,0 +1,84 @@
+"""Results at the crank angle that words name: at 30° after top dead centre T = F r sin θ = 245 N m.
+
+No relation gives θ a number there, or only one further up, of another place. The result is computed at
+the angle of the words named last in its section: right to its digits, or wrong if one slip lies between.
+Where it is neither, what was said of it stays.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, names
+from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.slips_in_numbers import is_slip
+from symbalance.notes.checking.premises.impossible_values import number_of
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import CONDITION, PREMISE, UNDECIDED, Verdict
+from symbalance.notes.checking.words.crank_places import crank_places
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.reading.equations import Chain
+
+_OPEN = (CONDITION, PREMISE, UNDECIDED, "refuted", "contradiction")
+_LETTERS = ("theta", "vartheta", "alpha", "phi", "varphi", "psi")
+
+
+def at_crank_angle_in_words(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; a result that is open or refuted is judged at the crank angle words name."""
+    left, right = chain.sides[k], chain.sides[k + 1]
+    if verdict.verdict not in _OPEN or not is_lone_number(right.node) or not names(left.node):
+        return verdict
+    place = _place(state, chain)
+    if place is None:
+        return verdict
+    knowledge = state.knowledge(chain.lines[0])
+    theta = _crank_angle(left.node, knowledge)
+    if theta is None or _has_nearer_number(state, chain, theta, place[0]):
+        return verdict
+    angle = Product((Number(place[1] / 180), Constant("pi")))
+    known = knowledge.with_definition(theta, Definition(angle, chain.lines[0], True))
+    there = decide(left, right, chain.relations[k].sign, known)
+    text = f"{plain_text(Name(theta))} = {plain_text(Number(place[1]))}° (“{place[2]}”)"
+    if there.is_proved:
+        there = replace(there, assumptions=(*there.assumptions, text))
+        return describe(state.document, chain, k, there)
+    typed, exact = number_of(right.node, known), number_of(left.node, known)
+    if not typed or not exact or verdict.verdict not in (PREMISE, UNDECIDED):
+        return verdict
+    if not is_slip(abs(float(typed)), abs(float(exact)), right.node):
+        return verdict
+    reason = f"with {text} it is {float(exact):.4g} in SI units"
+    return describe(state.document, chain, k, Decision(REFUTED, reason))
+
+
+def _place(state: JudgingState, chain: Chain) -> tuple[int, Fraction, str] | None:
+    """Return the crank angle that words name last before a relation in its section; None for none."""
+    sections, line = state.sections, chain.lines[0]
+    before = [each for each in crank_places(state.document.text) if each[0] < chain.start]
+    if not before:
+        return None
+    is_here = sections.same_section(state.document.line_of(before[-1][0]), line)
+    return before[-1] if is_here else None
+
+
+def _crank_angle(node: Formula, knowledge: Knowledge) -> str | None:
+    """Return the crank angle behind a formula, the one declared or the one angle that is usual."""
+    values = {**knowledge.meaning.values, **{n: d.node for n, d in knowledge.definitions.items()}}
+    behind = {*names(node), *names_behind(node, values)}
+    crank = knowledge.crank
+    if crank is not None and isinstance(crank.theta, Name) and crank.theta.name in behind:
+        return crank.theta.name
+    usual = [name for name in _LETTERS if name in behind]
+    return usual[0] if len(usual) == 1 and not isinstance(node, Name) else None
+
+
+def _has_nearer_number(state: JudgingState, chain: Chain, theta: str, place: int) -> bool:
+    """Tell whether a line between the words and a relation gives the angle another number."""
+    above = state.sections.chains_above(Name(theta), chain.start)
+    return any(c.start > place and not names(c.sides[-1].node) for c in above)
