@@ -3,6 +3,7 @@
 import pytest
 
 from symbalance.checking import check
+from tests.checked_pages import last_verdict
 
 HEADS = {
     "a": "Piston acceleration with λ = r/l.\n\n$$a = r ω^2",
@@ -56,3 +57,37 @@ def test_a_displacement_and_a_velocity_have_others() -> None:
   C_4 = -λ³/64
 """
     assert "refuted" not in [link["verdict"] for link in check(page).data()["links"]]
+
+
+OWN_SERIES = """The crank radius $r$, rod length $l$, $q = r/l$, $\\varphi$ the crank angle.
+
+$$\\ddot s = r\\omega^2\\left(\\cos\\varphi+A_2\\cos2\\varphi+A_4\\cos4\\varphi+\\dots\\right)$$
+
+$$A_2 = q + \\frac{q^3}{4} + \\frac{15q^5}{128}$$
+
+$$A_4 = -\\left(\\frac{q^3}{4} + \\frac{3q^5}{16}\\right)$$
+
+"""
+LETTERS = """[symbols]
+"r" = "crank radius"
+"l" = "rod length"
+"\\\\varphi" = "crank angle"
+"s" = "displacement from top dead centre"
+"\\\\omega" = "angular speed"
+"""
+
+
+@pytest.mark.parametrize("case", ["For $q = 0.3$ we have", "Take $q = 0.3$. Then", "For a typical $q = 0.3$ these are"])
+@pytest.mark.parametrize(
+    ("values", "is_right"),
+    [
+        ("$A_4 = -0.0072$", True),
+        ("$A_2 = 0.3070$ and $A_4 = -0.0072$", True),
+        ("$A_2 = 0.3070$ and $A_4 = -0.0027$", False),
+        ("$A_4 = -0.0072$ and $A_2 = 0.3700$", False),
+    ],
+)
+def test_a_coefficient_of_one_ratio_is_computed_with_it(tmp_path, case, values, is_right):
+    verdict = last_verdict(tmp_path, f"{OWN_SERIES}{case} {values}.", LETTERS)
+    proved = ("holds", "holds_to_order", "conditional")
+    assert verdict in proved if is_right else verdict == "refuted"

@@ -19,6 +19,7 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Number,
+    Product,
     Quotient,
     Sum,
     Summation,
@@ -153,6 +154,7 @@ def _decide_coefficient(left: Side, right: Side, sign: str, knowledge: Knowledge
     Letters that a line before gave numbers stay letters in a series, with the formulas they had.
     """
     is_number = not names(right.node) and not has_remainder(right.node)
+    knowledge = _with_ratios_put_in(knowledge) if is_number else knowledge
     if not is_number:
         knowledge = replace(knowledge, definitions=_lettered(knowledge.definitions))
     elif open_letters := _open_letters(left.node, right.node, knowledge):
@@ -213,6 +215,21 @@ def exact_value(decision: Decision) -> Formula:
     if letters(form) or not points:
         return _node(form)
     return rational_node(Fraction(context().nstr(points[0][1][0].real, 20)))
+
+
+def _with_ratios_put_in(knowledge: Knowledge) -> Knowledge:
+    """Return what is known with r = 0.3 l where a ratio λ = r/l has that number, and r and l have none."""
+    for d in tuple(knowledge.definitions.values()):
+        ratio = d.formula
+        if not d.numeric or not isinstance(ratio, Quotient):
+            continue
+        above, below = ratio.numerator, ratio.denominator
+        if not isinstance(above, Name) or not isinstance(below, Name):
+            continue
+        if not {above.name, below.name} & knowledge.definitions.keys():
+            part = Definition(Product((d.node, below)), d.line)
+            knowledge = knowledge.with_definition(above.name, part)
+    return knowledge
 
 
 def _open_letters(left: Formula, right: Formula, knowledge: Knowledge) -> list[str]:

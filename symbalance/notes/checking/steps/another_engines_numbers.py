@@ -214,6 +214,8 @@ def _is_by_its_own_data(state: JudgingState, chain: Chain, given: Definition) ->
     if state.cases.gives_all_anew(behind, line):
         return True
     before = [c for c in state.sections.chains_on(line) if c.end <= chain.start]
+    if given.is_coefficient and any(not names(c.sides[-1].node) for c in before):
+        return True  # of a series, by the ratio that is given beside it
     last = max(before, key=lambda c: c.end, default=None)
     if last is None or not isinstance(last.sides[0].node, Name) or names(last.sides[-1].node):
         return False
