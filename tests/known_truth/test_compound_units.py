@@ -24,7 +24,7 @@ CASES = [
     ("J = 0.5 slug-ft² = 0.678 kg m².", "holds_to_order"),
     ("P = 4½ tons = 44.8 kN.", "holds_to_order"),
     ("n = 1500 r.p.m. = 157 rad/sec.", "holds_to_order"),
-    ("n = 1500 rpm = 25 rev/s.", "holds_to_order"),
+    ("n = 1500 rpm = 25 rev/s.", "holds"),
     ("n = 1500 rpm = 50 rev/s.", "refuted"),
     ("T = 469 × 87.3 = 40.9 × 10³ lb.-in.", "holds_to_order"),
     ("T = 469 × 87.3 = 49.9 × 10³ lb.-in.", "refuted"),

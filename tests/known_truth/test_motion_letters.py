@@ -208,7 +208,8 @@ UNITS = {
     "g/cm^3": KILO, "kg/m^3": 1, "N/mm^2": 10**6, "N/mm": KILO, "1/s": 1, "s^-1": 1, "mm^-1": KILO,
     "kg m/s^2": 1, "J/kg": 1, "kJ/kg": KILO, "kg/kW": MILLI, "Nmm": MILLI, "K": 1,
 }  # fmt: skip
-TURNS = {"rpm": Fraction(1, 30), "1/min": Fraction(1, 30), "rps": 2, "rev/s": 2}
+TURNS = {"rpm": Fraction(1, 30), "1/min": Fraction(1, 30)}
+BY_THE_SECOND = ["rps", "rev/s", "U/s", "tr/s"]
 
 
 @pytest.mark.parametrize("unit", UNITS)
@@ -227,6 +228,11 @@ def test_a_unit_is_so_many_of_the_si(unit):
 @pytest.mark.parametrize("unit", TURNS)
 def test_turns_are_counted_in_pi(unit):
     assert scale_of(unit) == (TURNS[unit], True)
+
+
+@pytest.mark.parametrize("unit", BY_THE_SECOND)
+def test_turns_by_the_second_are_counted_as_hertz_are(unit):
+    assert scale_of(unit) == (1, False)
 
 
 @pytest.mark.parametrize(

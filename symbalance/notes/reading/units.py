@@ -85,7 +85,8 @@ _PRESSURES = {
     for length, size in (("in", _IN_COMPOUNDS["in"]), ("inch", _OTHER["inch"]), ("ft", _OTHER["ft"]))
 }
 """Pounds on an area are forces, though a pound is a mass elsewhere."""
-_TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
+_BY_THE_SECOND = word_set("rps r.p.s. rev/s U/s tr/s Umdr/s giri/s")
+"""Revolutions per second, which are counted as hertz are: N = 50 rev/s, and ω = 2πN."""
 _ANGLES = {"deg": Fraction(1, 180)}
 _PLAIN_SURE = word_set(
     "mm cm km kg cc ccm oz rpm kW kHz Hz kN Nm rad lbs lb ft psi kgf mph bar mbar kPa MPa GPa"
@@ -308,6 +309,8 @@ def scale_of(unit: str) -> Scale | None:
         return _TURNS.get(plain) or _ANGLES[plain], True
     if plain in _PRESSURES:
         return _PRESSURES[plain], False
+    if plain in _BY_THE_SECOND:
+        return Fraction(1), False
     scale, place, power = Fraction(1), 0, 1
     while place < len(plain):
         match = _PART.match(plain, place)

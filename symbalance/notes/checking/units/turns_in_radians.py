@@ -1,4 +1,4 @@
-"""Turns and radians in one chain: 50 Hz = 314 rad/s says how fast something turns, in both ways.
+"""Turns and radians in one chain: 50 Hz = 314 rad/s, or 50 rev/s = 314 rad/s, says one speed in both ways.
 
 A turn is 2π radians. What follows a letter is in that letter's unit: in ω = 314 rad/s = 50 Hz the hertz
 are turned into radians, elsewhere the radians into turns. 50 Hz = 50 rad/s is as false as before.
@@ -13,7 +13,7 @@ from symbalance.document.formula import Constant, Formula, Name, Number, Product
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
-_TURNS = re.compile(r"(?<![A-Za-z])[kM]?Hz[\s}$]*$")
+_TURNS = re.compile(r"(?<![A-Za-z])(?:[kM]?Hz|rps|r\.p\.s\.|(?:rev|U|Umdr|tr|giri)\s?/\s?s)[\s}$]*$")
 _RADIANS = re.compile(
     r"(?<![A-Za-z])rad\s*(?:(?:/|\}\{)\s*(?:\\(?:mathrm|text)\s*\{)?s|(?:\\,|\s|·)?s(?:\^\{?-1|⁻¹))[\s}$]*$"
 )

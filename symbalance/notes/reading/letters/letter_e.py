@@ -1,4 +1,4 @@
-r"""The letter e of a page that means a length by it, an offset, told from the number e.
+r"""The letter e of a page that means a length or an angle by it, told from the number e.
 
 On a page with `e = 8` mm, `e/l` or "offset $e$" a lone e is that letter, and only the base of a power is
 the number: \mathrm{e}^{ix}, e^{-x}. On every other page e alone stays undeclared, as it may be either.
@@ -36,7 +36,12 @@ _EXPLAINED = (
 """Before the words that explain it, or behind "by": where e is the offset, moved by $e$."""
 _ARM = rf"(?<![A-Za-z\\])[mM](?:_(?:[A-Za-z0-9]|\{{\w{{1,4}}\}}))?{_GAP}{_E}(?!\s*\^)"
 """The arm of a mass: m_r e."""
-_MEANT = re.compile("|".join((_VALUE, _BY_LENGTH, _NAMED, _EXPLAINED, _ARM)))
+_ANGLE = (
+    r"(?<![A-Za-z])(?:sin|cos|tan)(?:\s?(?:\^\s?\{?2\}?|²))?\s*\(?\s*e(?![A-Za-z0-9_'’]|\s*\^)"
+    r"|(?<![A-Za-z])[Ll]et\s+\$?e\$?\s+be\s+the\s"
+)
+"""An angle: sin e, and "let e be the obliquity"."""
+_MEANT = re.compile("|".join((_VALUE, _BY_LENGTH, _NAMED, _EXPLAINED, _ARM, _ANGLE)))
 _WITH_MASS = re.compile(
     r"(?<![A-Za-z\\])[mMBU]_\{?(?P<index>[A-Za-z0-9]{1,4})\}?\s?(?:\\[,;:]\s?)?e_(?:\{(?P=index)\}"
     r"|(?P=index)(?![A-Za-z]))"
@@ -56,10 +61,12 @@ _EXPONENT = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9\u03b1-\u03c9]")
 
 
 def means_letter(text: str) -> bool:
-    """Tell whether a page means a length by the letter e.
+    """Tell whether a page means a length or an angle by the letter e.
 
     >>> means_letter("mit $e = 8$ mm"), means_letter("$e = 2.718$"), means_letter("1 e/min")
     (True, False, False)
+    >>> means_letter("L sin e = r sin a"), means_letter(r"\\sin e^{-x}")
+    (True, False)
     """
     return _MEANT.search(text) is not None
 

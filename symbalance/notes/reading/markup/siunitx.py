@@ -28,6 +28,7 @@ _SHORT = dict.fromkeys(words("kg mm cm dm km um g mg s ms N kN MN J kJ W kW Pa k
 """Abbreviations of siunitx that are a unit's own letters: \\kg, \\mm."""
 _TURNS = word_set("rev revs r U Umdr tr giri turns")
 """What stands before /min for a revolution, in some languages: rpm, as one unit."""
+_RATES = {(("min", -1),): "rpm", (("s", -1),): "rps"}
 _NUMBER = re.compile(
     r"(?P<sign>[-+−–]?)(?P<digits>[0-9][0-9 ~]*(?:[.,][0-9 ]*[0-9])?|[.,][0-9]+)?"
     r"(?:[eEdD](?P<power>[-+−]?[0-9]{1,3}))?"
@@ -60,8 +61,8 @@ def number_text(source: str) -> str | None:
 def unit_text(source: str) -> str | None:
     r"""Return the argument of \si as \mathrm{...}, None for a unit that is not read.
 
-    >>> unit_text("rev/min"), unit_text("1/s")
-    ('\\mathrm{rpm}', '\\mathrm{s^{-1}}')
+    >>> unit_text("rev/min"), unit_text("rev/s"), unit_text("1/s")
+    ('\\mathrm{rpm}', '\\mathrm{rps}', '\\mathrm{s^{-1}}')
     >>> unit_text(r"\kilo\gram\metre\per\second\squared"), unit_text("N.m"), unit_text(r"\furlong")
     ('\\mathrm{kg\\,m\\,s^{-2}}', '\\mathrm{N\\,m}', None)
     """
@@ -113,8 +114,8 @@ def _exponent(command: str, digit: str | None, source: str, place: int) -> tuple
 
 
 def _written(parts: list[tuple[str, int]]) -> str:
-    if parts[1:] == [("min", -1)] and parts[0][0] in _TURNS and parts[0][1] == 1:
-        parts = [("rpm", 1)]
+    if parts[0][0] in _TURNS and parts[0][1] == 1 and (turns := _RATES.get(tuple(parts[1:]))):
+        parts = [(turns, 1)]
     if parts in ([("%", 1)], [("°", 1)]):
         return "\\%" if parts[0][0] == "%" else "^{\\circ}"
     pieces = (unit if power == 1 else f"{unit}^{{{power}}}" for unit, power in parts)
