@@ -39,3 +39,15 @@ def test_a_section_of_another_crank_angle_has_formulas_of_its_own(first, second)
 )
 def test_a_section_of_no_other_angle_has_not(first, second):
     assert words(first, second)[-1] == "refuted"
+
+
+@pytest.mark.parametrize(("first", "second"), [("The 360 (old British)", "The 180 (seventies Honda)")])
+@pytest.mark.parametrize("head", ["F", "\\frac{F}{P}"])
+def test_a_formula_over_a_letter_is_of_its_own_section(first, second, head):
+    over = "" if head == "F" else "/P"
+    page = (
+        f"# {first}\n\n$F = 2P(\\cos\\theta + q\\cos 2\\theta)$\n\n# {second}\n\n"
+        f"${head} = P{over}[\\cos\\theta + \\cos(\\theta + 180^\\circ)]"
+        f" + q P{over}[\\cos 2\\theta + \\cos(2\\theta + 360^\\circ)]$"
+    )
+    assert check(page).verdicts[-1].verdict != "refuted"

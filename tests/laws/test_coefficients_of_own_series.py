@@ -77,7 +77,9 @@ LETTERS = """[symbols]
 """
 
 
-@pytest.mark.parametrize("case", ["For $q = 0.3$ we have", "Take $q = 0.3$. Then", "For a typical $q = 0.3$ these are"])
+@pytest.mark.parametrize(
+    "case", ["For $q = 0.3$ we have", "Take $q = 0.3$. Then", "For a typical $q = 0.3$ these are"]
+)
 @pytest.mark.parametrize(
     ("values", "is_right"),
     [

@@ -31,9 +31,7 @@ _GIVEN = re.compile(
     rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
     r"(?=(?P<behind>[^\n]{0,40}(?:\n[^\n]{0,20})?))"
 )
-_SAID = re.compile(
-    rf"{_LETTER}[ ](?:is|equals|ist|beträgt|est|vaut|è|vale|es)[ ~\n](?:\$|\\\()?\s*$"
-)
+_SAID = re.compile(rf"{_LETTER}[ ](?:is|equals|ist|beträgt|est|vaut|è|vale|es)[ ~\n](?:\$|\\\()?\s*$")
 """Before a formula, the letter that a sentence says it is: the stroke $C$ is $2R = 80$ mm."""
 _SETTING = re.compile(r"\\(?:mathrm|text|textrm|rm)(?![A-Za-z])|[{}$]|\\[,;: ]|~")
 _POWER, _END = r"(?:\^?-?[0-9]|[²³])?", r"(?=[\s,.;:)、。のでにとをは]|$)"

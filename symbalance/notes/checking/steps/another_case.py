@@ -52,7 +52,7 @@ FARTHEST = 3000
 
 def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget the formula that a letter has of other cranks, or of another order; tell of any."""
-    head = chain.sides[0].node
+    head = _in_relation_to(chain.sides[0].node)
     if k or not isinstance(head, Name) or not names(chain.sides[1].node):
         return False
     above = state.sections.chains_above(head, chain.start)
@@ -63,6 +63,12 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
         state.definitions.forget_line(head.name, line) for line in sorted({c.lines[0] for c in above})
     ]
     return any(known)
+
+
+def _in_relation_to(node: Formula) -> Formula:
+    """Return the letter that a formula over a letter, F/P = …, gives in relation to it; others as they are."""
+    is_ratio = isinstance(node, Quotient) and isinstance(node.denominator, Name)
+    return node.numerator if is_ratio and isinstance(node, Quotient) else node
 
 
 def leave_formula_of_opening(state: JudgingState, chain: Chain, k: int) -> bool:
@@ -138,6 +144,8 @@ def _is_another_case(state: JudgingState, earlier: Chain, chain: Chain) -> bool:
     turns = (_phase_shifts(earlier) or {before[1]}) if before else _phase_shifts(earlier)
     own = _phase_shifts(chain) or ({now[1]} if now else set[int]())
     if turns and own and turns.isdisjoint(own):
+        return True
+    if state.sections.headings_name_other_engines(chain.lines[0], earlier.lines[0]):
         return True
     if _is_of_another_angle(state, earlier, chain):
         return True

@@ -240,7 +240,8 @@ _ANGLE = re.compile(
 )
 """An angle in a heading, of which a section is: the 270° crank."""
 _TURN = re.compile(
-    r"(?<![\w.,/])(?P<angle>90|180|270|315|360)(?=[\s*#]*$|[\s-](?:crank|twin|kurbel|deg|motor))",
+    r"(?<![\w.,/])(?P<angle>90|180|270|315|360)(?=[\s*#]*(?:\([^()]{1,60}\)[\s*#]*)?(?:</h[1-6]>\s*)?$"
+    r"|[\s-](?:crank|twin|kurbel|deg|motor))",
     re.IGNORECASE,
 )
 """A part of a turn without a sign at the end of a heading, or before a crank: the 270."""
