@@ -5,7 +5,8 @@ import pytest
 from tests.checked_pages import last_verdict
 
 DATA = (
-    "The crank radius $r = 40$ mm, rod length $l = 140$ mm, $\\theta$ the crank angle, $\\beta$ the rod angle.\n\n"
+    "The crank radius $r = 40$ mm, rod length $l = 140$ mm, $\\theta$ the crank angle,"
+    " $\\beta$ the rod angle.\n\n"
     "$$\\sin\\beta = \\frac{{r}}{{l}} \\sin\\theta$$\n\n{words} the force is $F = 9781$ N.\n\n"
     "$$T = F r \\frac{{\\sin(\\theta+\\beta)}}{{\\cos\\beta}} = {result}\\ \\mathrm{{N\\,m}}$$"
 )

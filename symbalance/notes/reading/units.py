@@ -307,10 +307,8 @@ def scale_of(unit: str) -> Scale | None:
         return None
     if plain in _TURNS or plain in _ANGLES:
         return _TURNS.get(plain) or _ANGLES[plain], True
-    if plain in _PRESSURES:
-        return _PRESSURES[plain], False
-    if plain in _BY_THE_SECOND:
-        return Fraction(1), False
+    if plain in _PRESSURES or plain in _BY_THE_SECOND:
+        return _PRESSURES.get(plain, Fraction(1)), False
     scale, place, power = Fraction(1), 0, 1
     while place < len(plain):
         match = _PART.match(plain, place)

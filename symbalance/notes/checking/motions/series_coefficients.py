@@ -218,7 +218,7 @@ def exact_value(decision: Decision) -> Formula:
 
 
 def _with_ratios_put_in(knowledge: Knowledge) -> Knowledge:
-    """Return what is known with r = 0.3 l where a ratio λ = r/l has that number, and r and l have none."""
+    """Return what is known with r = 0.3 l where λ = r/l has that number, and r and l have none."""
     for d in tuple(knowledge.definitions.values()):
         ratio = d.formula
         if not d.numeric or not isinstance(ratio, Quotient):

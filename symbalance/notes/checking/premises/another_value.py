@@ -504,10 +504,9 @@ def _new_case(
         return True
     if names(earlier.node) and names(value) and not is_area:
         return isinstance(value, Name)
-    if not names(value) and _is_sum_over_listed_cranks(earlier.node, knowledge):
-        return False
     if names(earlier.node) or (names(value) and not is_area):
-        return not _comes_to_a_number(earlier.node, knowledge)
+        is_listed = not names(value) and _is_sum_over_listed_cranks(earlier.node, knowledge)
+        return not is_listed and not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points or is_called_case:
         return True
@@ -515,7 +514,7 @@ def _new_case(
 
 
 def _is_sum_over_listed_cranks(node: Formula, knowledge: Knowledge) -> bool:
-    """Tell whether a formula is a sum over cylinders of nothing but their angles, and these are listed."""
+    """Tell whether a formula is a sum of nothing but the angles of cylinders, and these are listed."""
     if not isinstance(node, Summation) or node.index is None or knowledge.crank_angles is None:
         return False
     return names(node.body) == frozenset(indexed_letters(node.body, node.index.name))

@@ -66,7 +66,7 @@ def leave_named_case(state: JudgingState, chain: Chain, k: int) -> bool:
 
 
 def _in_relation_to(node: Formula) -> Formula:
-    """Return the letter that a formula over a letter, F/P = …, gives in relation to it; others as they are."""
+    """Return the letter F of F/P, a letter in relation to another; any other formula as it is."""
     is_ratio = isinstance(node, Quotient) and isinstance(node.denominator, Name)
     return node.numerator if is_ratio and isinstance(node, Quotient) else node
 

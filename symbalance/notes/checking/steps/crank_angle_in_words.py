@@ -35,26 +35,32 @@ def at_crank_angle_in_words(state: JudgingState, chain: Chain, k: int, verdict: 
     if verdict.verdict not in _OPEN or not is_lone_number(right.node) or not names(left.node):
         return verdict
     place = _place(state, chain)
-    if place is None:
-        return verdict
     knowledge = state.knowledge(chain.lines[0])
-    theta = _crank_angle(left.node, knowledge)
-    if theta is None or _has_nearer_number(state, chain, theta, place[0]):
+    theta = _crank_angle(left.node, knowledge) if place is not None else None
+    if place is None or theta is None or _has_nearer_number(state, chain, theta, place[0]):
         return verdict
+    there = _decide_there(state, chain, k, theta, place)
+    is_open = verdict.verdict in (PREMISE, UNDECIDED)
+    if there.is_proved or (is_open and there.status == REFUTED and there.reason):
+        return describe(state.document, chain, k, there)
+    return verdict
+
+
+def _decide_there(
+    state: JudgingState, chain: Chain, k: int, theta: str, place: tuple[int, Fraction, str]
+) -> Decision:
+    """Return the decision at the angle of a place, with the reason where one slip lies between."""
+    left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
     angle = Product((Number(place[1] / 180), Constant("pi")))
-    known = knowledge.with_definition(theta, Definition(angle, chain.lines[0], True))
+    known = state.knowledge(line).with_definition(theta, Definition(angle, line, True))
     there = decide(left, right, chain.relations[k].sign, known)
     text = f"{plain_text(Name(theta))} = {plain_text(Number(place[1]))}° (“{place[2]}”)"
     if there.is_proved:
-        there = replace(there, assumptions=(*there.assumptions, text))
-        return describe(state.document, chain, k, there)
+        return replace(there, assumptions=(*there.assumptions, text))
     typed, exact = number_of(right.node, known), number_of(left.node, known)
-    if not typed or not exact or verdict.verdict not in (PREMISE, UNDECIDED):
-        return verdict
-    if not is_slip(abs(float(typed)), abs(float(exact)), right.node):
-        return verdict
-    reason = f"with {text} it is {float(exact):.4g} in SI units"
-    return describe(state.document, chain, k, Decision(REFUTED, reason))
+    if not typed or not exact or not is_slip(abs(float(typed)), abs(float(exact)), right.node):
+        return Decision(UNDECIDED)
+    return Decision(REFUTED, f"with {text} it is {float(exact):.4g} in SI units")
 
 
 def _place(state: JudgingState, chain: Chain) -> tuple[int, Fraction, str] | None:

@@ -1,4 +1,4 @@
-"""Turns and radians in one chain: 50 Hz = 314 rad/s, or 50 rev/s = 314 rad/s, says one speed in both ways.
+"""Turns and radians in one chain: 50 Hz = 314 rad/s, or 50 rev/s, says one speed in both ways.
 
 A turn is 2π radians. What follows a letter is in that letter's unit: in ω = 314 rad/s = 50 Hz the hertz
 are turned into radians, elsewhere the radians into turns. 50 Hz = 50 rad/s is as false as before.

@@ -45,7 +45,7 @@ _ANGLES_OF_A_LETTER = re.compile(
     r"(?:\\(?:delta|psi|varphi|phi|alpha|beta|gamma)|[δψφϕαβγ])\s*\$?(?P<several>['’]s)?"
     r"\s*(?::|are|runs?(?:\s+through)?|(?:is\s+)?equal(?:s|\s+to)?|sind|betragen|sont|valent)\s*[$(\\{]*$"
 )
-"""Before a list, the letter whose values for one cylinder after the other it gives: the δ's are 0, π, π, 0."""
+"""Before a list, the letter whose values for the cylinders it gives: the δ's are 0, π, π, 0."""
 _RANGE = re.compile(
     r"(?:between|zwischen|interval|range|from|von|Bereich|∈|\\in|\[)[\s$(]*$", re.IGNORECASE
 )

@@ -45,6 +45,10 @@ _SIGNS_BELOW = {"∥": "parallel", "⊥": "perp", "∞": "infty", "‖": "parall
 """Signs that tell directions and limits apart: M_∥ along the cylinders, M_⊥ across them."""
 
 
+_INITIALS = re.compile(r"[A-Z]\.(?:[ ]?[A-Z]\.){1,4}")
+"""An abbreviation with points, T.E., which a page sets equal to something."""
+
+
 def canonical_name(text: str) -> str:
     r"""Return the canonical name of a letter written in LaTeX, Unicode or plain text.
 
@@ -52,12 +56,17 @@ def canonical_name(text: str) -> str:
     ('m_rec', 'm_1', "bar_x'")
     >>> canonical_name("F_cap,115") == canonical_name("F_{cap,115}")
     True
+    >>> canonical_name("T.E."), canonical_name("I.H.P.")
+    ('T_E', 'I_HP')
     >>> canonical_name("ωm"), canonical_name("θ2"), canonical_name(r"\ddot{x}")
     ('omega_m', 'theta_2', 'ddot_x')
     """
     bare = COMBINED.sub(accented, text.strip().strip("$").strip())
     if _CANONICAL.fullmatch(bare):
         return bare
+    if _INITIALS.fullmatch(bare):
+        first, *rest = re.findall("[A-Z]", bare)
+        return f"{first}_{''.join(rest)}"
     if listed := _LISTED_BELOW.fullmatch(bare):
         return canonical_name(f"{listed[1]}_{{{listed[2]}}}{listed[3]}")
     base, stop = _base(bare)

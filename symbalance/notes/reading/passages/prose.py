@@ -65,8 +65,9 @@ _PLAIN_WORDS = word_set(
     "a an as at be by do go he if in is it me my no of on or so to up us we and are but can for had has"
     " her his how its may new not now off old one our out per she the too two use was way who why you"
     " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins cosy tans expo"
-    " logo coth sech csch sect sind secs cots expr logi sinn stand stands instant instants constant constants distance"
-    " distances standard standards tandem cosine cosines tangent tangents expand expands"
+    " logo coth sech csch sect sind secs cots expr logi sinn stand stands instant instants"
+    " constant constants distance distances standard standards tandem cosine cosines tangent tangents"
+    " expand expands"
     " mit bei und von vom zum zur ist sei der die das den dem des ein aus auf wie bzw les est une par sur"
 )
 _CLAUSE_WORDS = word_set(
