@@ -638,6 +638,7 @@ def _as_meant(
         outcome = outcome or state.dead_centre_sizes.refute(chain, k, knowledge)
         outcome = outcome or state.formulas_beside.judge(chain, k, knowledge)
         outcome = outcome or state.parity.judge(chain, k)
+        outcome = outcome or state.meant.refute_by_usual_units(chain, k, knowledge)
         if outcome is not None and _is_left_open(outcome):
             return _unless_left_open(outcome, definition)
     if isinstance(outcome, Verdict) and outcome.verdict == UNDECIDED:

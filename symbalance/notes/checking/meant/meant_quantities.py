@@ -14,7 +14,7 @@ cylinders or a force in the other direction may be meant as it stands.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import NamedTuple
@@ -57,6 +57,7 @@ from symbalance.notes.checking.meant.meant_words import (
 )
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, unit_of, unit_text
+from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.sections import dead_centre_named
 from symbalance.notes.reading.equations import Chain, Side
@@ -72,6 +73,11 @@ _USUAL_UNITS = {
     "sigma": "Pa", "tau": "Pa",
 }  # fmt: skip
 """The units of what usual letters stand for."""
+_USUAL_SIZES = {
+    "m": "kg", **dict.fromkeys("rRlabh", "m"), "J": "kg m^2", "F": "N", "omega": "1/s", "Omega": "1/s",
+    **dict.fromkeys(("theta", "phi", "varphi", "alpha", "psi", "lambda"), "1"),
+}  # fmt: skip
+"""The units of letters that nobody explains, beside an angular speed and a radius or inertia."""
 _DISPLACEMENTS = (FROM_TOP, FROM_PIN, FROM_MIDDLE, FROM_BOTTOM)
 _EITHER_SIGN = ("piston velocity", "piston acceleration", "inertia force", FROM_MIDDLE, TORQUE)
 """Quantities that have the other sign where the other direction is the positive one."""
@@ -459,8 +465,22 @@ class MeantQuantities:
                     return True
         return False
 
+    def refute_by_usual_units(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a formula of an angular speed and other letters that nobody explains, by its dimension.
+
+        The inertia torque is no m r² ω sin 2θ/4: a torque goes with ω². None where that is open.
+        """
+        name, value = _defined(chain, k)
+        if not name or name in knowledge.letters or not names(value):
+            return None
+        return self._by_dimensions(name, value, chain, knowledge, is_usual=True)
+
+    def _asked_for(self, chain: Chain) -> tuple[str, Dimension] | None:
+        behind = self.words.document.source(chain.sides[1].span)
+        return unit_asked_for(chain, self.words.before(chain), behind)
+
     def _by_dimensions(
-        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+        self, name: str, value: Formula, chain: Chain, knowledge: Knowledge, *, is_usual: bool = False
     ) -> Decision | None:
         """Refute a formula whose dimension cannot be that which the words, or the page's unit, say.
 
@@ -474,7 +494,7 @@ class MeantQuantities:
         if unit is not None:
             expected = f"{plain_letter(name)} is in {unit[0]} on line {unit[2]}", unit[1]
         elif name not in self.words.declarations.symbols_at(line) and (
-            by_words := self.words.unit_named(chain)
+            by_words := self.words.unit_named(chain) or (self._asked_for(chain) if is_usual else None)
         ):  # a declared letter has the size of its own words
             expected = f"the words “{by_words[0]}” name {plain_letter(name)}", by_words[1]
         if expected is None:
@@ -486,6 +506,10 @@ class MeantQuantities:
         values = {n: d.node for n, d in knowledge.definitions.items() if n != name}
         source = self.words.document.source(chain.sides[1].span)
         dimension = Dimensions(symbols, values, self.words.document.text).side(value, source)
+        if is_usual:
+            sizes = _usual_sizes(value, {*symbols, *values}) if dimension is None else {}
+            known = Dimensions({**sizes, **symbols}, values, self.words.document.text)
+            dimension = known.side(value, source) if sizes else None
         if dimension is None or dimension == expected[1]:
             return None
         if self.words.has_result_in(name, dimension):
@@ -495,6 +519,7 @@ class MeantQuantities:
             return None  # the moments M = F a: the words name the next letter
         gap = [a - b for a, b in zip(dimension, expected[1], strict=True)]
         is_of_one = [place for place, e in enumerate(gap) if e] in ([1], [2])  # of kg, m, s
+        is_of_one &= not is_usual or bool(gap[2])  # √3 m r ω² without the lever arm is a couple too
         has_mass_more = unit is not None and gap[0] > 0 and not expected[1][0]
         if not is_of_one and not has_mass_more:
             return None
@@ -541,6 +566,14 @@ def _defined(chain: Chain, k: int) -> tuple[str, Formula]:
     left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
     is_plain = k == 0 and isinstance(left, Name) and chain.relations[k].sign in "=≈"
     return (left.name, right) if is_plain and isinstance(left, Name) else ("", right)
+
+
+def _usual_sizes(value: Formula, known: Collection[str]) -> dict[str, str]:
+    """Return the units that letters of a formula usually have; {} where one may be anything."""
+    units = {name: _USUAL_SIZES.get(name.partition("_")[0], "") for name in names(value) - {*known}}
+    stems = {name.partition("_")[0] for name in names(value)}
+    is_of_crank = bool(stems & {"omega", "Omega"}) and bool(stems & {"r", "R", "J"})
+    return {n: f"size, {u}" for n, u in units.items()} if is_of_crank and all(units.values()) else {}
 
 
 def _is_near(target: Formula, side: Side, known: Knowledge, crank: Geometry) -> bool:
