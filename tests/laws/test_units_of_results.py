@@ -3,6 +3,7 @@
 import pytest
 
 from symbalance.checking import check
+from tests.checked_pages import last_verdict
 
 RIGHT = (
     r"""Power $P = 50$ kW at $n = 3000$ min⁻¹.
@@ -146,3 +147,14 @@ def test_a_number_before_another_sentence_has_no_unit_of_that():
     page = "$m = 0.5$ kg, $g = 10$ m/s².\n\nSo $G = m g = 0.005$. And then $F = 2 m g = 0.01$ kN.\n"
     links = check(page, {}).data()["links"]
     assert links[-3]["verdict"] == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("unit", "words"),
+    [("kg mm", ("holds", "holds_to_order")), ("kg m", ("refuted",)), ("g mm", ("refuted",))],
+)
+def test_a_unit_behind_a_sum_of_numbers_put_in_is_compared(tmp_path, unit, words):
+    page = (
+        "m = 0.563 kg, p = 0.545 kg, r = 33 mm.\n\n$(m + p/2) r = (0.563 + 0.2725) \\cdot 33 = 27.57$ {}"
+    )
+    assert last_verdict(tmp_path, page.format(unit)) in words

@@ -113,3 +113,19 @@ def test_a_number_from_a_wrong_one_of_its_row_is_no_second_error(secondary, refu
     )
     words = [verdict.verdict for verdict in check(page, {}).verdicts]
     assert words.count("refuted") == refuted
+
+
+SECTOR = "R1 = 25 mm, R2 = 70 mm, g = 60°, m_e = 1.2 kg, r = 40 mm.\n\n"
+CENTROID = "    r_G = (2/3) * (R2^3 - R1^3)/(R2^2 - R1^2) * sin(g)/(2 g)\n    r_G = 42.2 mm\n\n"
+
+
+@pytest.mark.parametrize(
+    ("claim", "words"),
+    [
+        ("m_c = m_e * r/r_G = 1.137 kg", ("conditional",)),
+        ("m_c = m_e * r/r_G = 1.317 kg", ("refuted", "undecided")),
+    ],
+)
+def test_a_number_that_is_at_odds_with_its_formula_may_be_put_in(claim, words):
+    checked = check(f"{SECTOR}{CENTROID}    {claim}\n", {})
+    assert checked.verdicts[-1].verdict in words

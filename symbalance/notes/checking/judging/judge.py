@@ -35,6 +35,7 @@ from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
+from symbalance.notes.checking.judging.units_of_results import blame_unit
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.meant.given_numbers import number_given, size_given
 from symbalance.notes.checking.meant.meant_words import NOBODY
@@ -51,6 +52,7 @@ from symbalance.notes.checking.page.page_data import data_of
 from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.page.table_rows import TableRows
 from symbalance.notes.checking.premises.another_value import NO_WORDS
+from symbalance.notes.checking.premises.carried_values import ONE_IS_WRONG
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles
 from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
@@ -292,9 +294,7 @@ class Judge:
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
             self.state.note_verdict(span[0], verdict.verdict)
-            if verdict.verdict == REFUTED:
-                self.state.wrong_numbers.note(chain, k)
-                self.state.definitions.forget_moment(chain.sides[k + 1].node)
+            self._note_wrong(chain, k, verdict)
             head = chain.sides[0].node
             if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
                 self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
@@ -313,7 +313,16 @@ class Judge:
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
+        blame_unit(self.state, chain, verdicts, FOLLOWS)
         self.state.definitions.use(chain)
+
+    def _note_wrong(self, chain: Chain, k: int, verdict: Verdict) -> None:
+        """Note a result that is refuted, or at odds with a line that nothing proves."""
+        is_at_odds = verdict.verdict == UNDECIDED and verdict.reason.endswith(ONE_IS_WRONG)
+        if verdict.verdict == REFUTED or is_at_odds:
+            self.state.wrong_numbers.note(chain, k, is_open=is_at_odds)
+        if verdict.verdict == REFUTED:
+            self.state.definitions.forget_moment(chain.sides[k + 1].node)
 
     def _bound(self, chain: Chain, bindings: list[Binding]) -> dict[int, Binding]:
         """Return what each side is bound to; two bindings of one are refused: one would go unjudged."""

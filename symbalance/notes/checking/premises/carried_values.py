@@ -22,6 +22,8 @@ from symbalance.notes.checking.deciding.numbers_put_in import LONG, significant_
 from symbalance.notes.checking.deciding.substitution import replace_part
 from symbalance.notes.reading.equations import Chain, Side
 
+ONE_IS_WRONG = "one of the two is wrong"
+"""The end of a reason: a number and a formula are at odds, and nothing says which is wrong."""
 _SCALES = (1.0, 1e-3, 1e3)
 _PLACES = Fraction(1, 10**9)
 MOST = 6
@@ -36,6 +38,8 @@ class WrongResult:
     formula: Formula
     name: str
     line: int
+    is_open: bool = False
+    """Whether the value or the formula is wrong, and nothing says which."""
 
     @property
     def text(self) -> str:
@@ -44,7 +48,7 @@ class WrongResult:
         is_of_formula = bool(names(self.value)) and not self.name
         of = self.formula if is_of_formula else Name(self.name)
         letter = f"{formula_text(of, plain=True)} = " if self.name or is_of_formula else ""
-        return f"{letter}{value} of line {self.line}, which is refuted"
+        return f"{letter}{value} of line {self.line}, which is {'open' if self.is_open else 'refuted'}"
 
 
 @dataclass
@@ -53,8 +57,11 @@ class CarriedValues:
 
     results: list[WrongResult] = field(default_factory=list)
 
-    def note(self, chain: Chain, k: int) -> None:
-        """Note the refuted k-th relation of a chain: a number for a formula in letters, or a formula."""
+    def note(self, chain: Chain, k: int, *, is_open: bool = False) -> None:
+        """Note the refuted k-th relation of a chain: a number for a formula in letters, or a formula.
+
+        So with one that is at odds with a line which nothing proves (`is_open`).
+        """
         node = chain.sides[k + 1].node
         number = node.operand if isinstance(node, Negative) else node
         of = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
@@ -63,11 +70,11 @@ class CarriedValues:
         is_long = isinstance(number, Number) and significant_digits(number) >= LONG
         is_result = is_long or bool(name and not names(node))
         if is_result and of is not None:
-            self.results.append(WrongResult(node, of, name, chain.lines[0]))
+            self.results.append(WrongResult(node, of, name, chain.lines[0], is_open))
         elif isinstance(head, Name) and names(node) and head.name not in names(node):
-            self.results.append(WrongResult(node, head, head.name, chain.lines[0]))
+            self.results.append(WrongResult(node, head, head.name, chain.lines[0], is_open))
         elif names(head) and names(node) and not isinstance(head, Name):
-            self.results.append(WrongResult(node, head, "", chain.lines[0]))
+            self.results.append(WrongResult(node, head, "", chain.lines[0], is_open))
 
     def decide(
         self,

@@ -22,6 +22,7 @@ from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.substitution import replace_part
+from symbalance.notes.checking.premises.carried_values import ONE_IS_WRONG
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.system import Premise, lines_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -69,7 +70,7 @@ def put_in_with_another_factor(
         for put_in in choices:
             if names(put_in) == set(own) and _terms(left, put_in, evaluator) == wanted:
                 reason = f"has another factor or sign than {lines_of([above])}, which nothing proves"
-                return Decision(UNDECIDED, f"{reason}: one of the two is wrong")
+                return Decision(UNDECIDED, f"{reason}: {ONE_IS_WRONG}")
     return None
 
 
@@ -101,7 +102,7 @@ def fixed_with_another_factor(
         return None
     equation = " = ".join(plain_text(side.node) for side in above[-1].sides)
     here = f"{equation} of line {definition.line}"
-    return Decision(UNDECIDED, f"contradicts {here}, which nothing proves: one of the two is wrong")
+    return Decision(UNDECIDED, f"contradicts {here}, which nothing proves: {ONE_IS_WRONG}")
 
 
 def formulas_only_stated(state: JudgingState, chain: Chain, knowledge: Knowledge) -> Iterator[Premise]:

@@ -30,6 +30,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.formula_slips import single_edits, with_one_part_changed
+from symbalance.notes.checking.premises.carried_values import ONE_IS_WRONG
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.another_factor import formulas_only_stated
@@ -79,7 +80,7 @@ def number_of_a_formula_one_slip_away(
                 if above.right.span[0] in state.refuted:
                     proved = "is refuted: the number may be right"
                 else:
-                    proved = "nothing proves: one of the two is wrong"
+                    proved = f"nothing proves: {ONE_IS_WRONG}"
                 reason = f"what {shown} comes to, one slip from line {above.line}, which {proved}"
                 return Decision(UNDECIDED, reason)
     return None
@@ -104,7 +105,7 @@ def as_multiple_in_words(
     if abs(in_words - float(number.value)) > float(number.last_place or 1) / 2 * (1 + 1e-9):
         return None
     reason = f"what the words before it come to, and not what line {above.line} does"
-    return Decision(UNDECIDED, f"{reason}, which nothing proves: one of the two is wrong")
+    return Decision(UNDECIDED, f"{reason}, which nothing proves: {ONE_IS_WRONG}")
 
 
 def _refuted(state: JudgingState, letter: Name, knowledge: Knowledge) -> Iterator[Premise]:
