@@ -129,6 +129,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 )
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
+from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
@@ -388,6 +389,7 @@ class Judge:
         verdict = unless_finer_by_nothing(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         verdict = unless_no_extreme(self.state, chain, k, verdict)
+        verdict = unless_roughly_known(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
 
     def _with_rate_assumed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
