@@ -38,3 +38,21 @@ def test_a_sentence_at_another_speed_counts_revolutions_as_typed(tmp_path):
     page = RUNNING + "\n\n$\\omega = 2\\pi n/60$\n\nAt 1500 rpm the force is $F = m r \\omega^2 = %s$ N."
     assert last_verdict(tmp_path, page % "1974") in CONFIRMED
     assert last_verdict(tmp_path, page % "7896") not in CONFIRMED
+
+
+@pytest.mark.parametrize(
+    ("page", "symbols"),
+    [
+        (
+            r"$N = 3000$ rpm: $\omega = 2\pi N/60 = 314$ rad/s.",
+            '"N" = "number of revolutions per minute"',
+        ),
+        (r"$M = 200$ N m, $n = 3000$ rpm: $P = 2\pi n M/60 = 62.8$ kW.", '"P" = "power, W"'),
+        (r"$n = 600$ rpm, $d = 0.05$ m. $v = \pi d n = 94.2$ m/min.", '"d" = "diameter"'),
+        (r"$n = 3000$ rpm. The engine fires $f = 4\cdot n/2 = 6000$ min⁻¹.", '"n" = "engine speed"'),
+        (r"$m = 2$ kg, $r = 40$ mm. $U = m r = 80$ kg mm.", '"U" = "unbalance, kg m"'),
+        (r"$G = 200$ N. $m = G/g = 20.4$ kg.", '"m" = "mass, kg"'),
+    ],
+)
+def test_a_unit_of_the_same_dimension_is_right(tmp_path, page, symbols):
+    assert last_verdict(tmp_path, page, f"[symbols]\n{symbols}\n") in CONFIRMED

@@ -112,7 +112,8 @@ _BY_WORDS = tuple(
         (_dimension(m=4), r"(?:polar )?(?:second moment of area|area moment of inertia)"),
         (_dimension(m=4), r"(?:polares )?flächenträgheitsmoment|断面二次(?:極)?モーメント"),
         (_dimension(m=3), r"(?:(?:polar|torsional|bending) )?section modulus|widerstandsmoment|断面係数"),
-        (NONE, r"number of (?!.*(?:per |revolutions|turns|cycles|strokes)).+|気筒数"),
+        (NONE, r"number of (?:cylinders|pistons|throws|cranks|teeth|blades|coils|springs|bolts|discs)"),
+        (NONE, r"気筒数"),
         (NONE, r"zylinderzahl|anzahl der zylinder|nombre de cylindres"),
         (_dimension(1, -1, -2), r"(?:shear|young's|elastic) modulus|schubmodul|elastizitätsmodul"),
     )
