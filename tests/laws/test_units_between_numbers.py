@@ -42,3 +42,25 @@ def test_a_number_that_converts_units_is_right(page):
 @pytest.mark.parametrize("page", WRONG)
 def test_a_number_that_converts_nothing_excuses_nothing(page):
     assert any(v.verdict in REFUTED for v in check(page + "\n").verdicts)
+
+
+OF_UNITS = (
+    (r"$P = ?, $n=3000$ rpm. $$M = 9550\frac{P}{n} = 191\,\mathrm{N\,m}$$", "60$ kW", "60$ MW"),
+    (r"Bei $P = ? und $n = 3000$ min⁻¹ ist $M = 9550\,P/n = 191$ Nm.", "60$ kW", "60$ W"),
+    (r"$P = ?, $n=3000$ rpm. $$M = 9550\frac{P}{n} = 191\,\mathrm{N\,m}$$", "60$ kW", "60$ PS"),
+    (r"$P = 60$ kW, $n = ?. $$M = 9550\frac{P}{n} = 11460\,\mathrm{N\,m}$$", "50$ rpm", "50$ Hz"),
+    (r"$P = 60$ kW, $n=3000$ rpm. $$M = 9550\frac{P}{n} = 191\,\mathrm{?}$$", "N\\,m", "W"),
+    (r"出力 $P = 60$ kW、回転数 $n=3000$ rpm のとき $T = 9550 P/n = 191$ ?。", "N·m", "N"),
+    (r"$M = 200$ ?, $n=3000$ rpm. $$P = \frac{M n}{716.2} = 837.8\,\mathrm{PS}$$", "kp m", "N m"),
+    (r"Le couple est $C = 200$ ? à $N = 3000$ tr/min: $P = C N/9{,}55 = 62827$ W.", "N m", "kN m"),
+    (r"$D = ?, $p = 60$ bar: $$F = 7.85 p D^2 = 30144\,\mathrm{N}$$", "8$ cm", "8$ mm"),
+    (r"$s = ?, $n = 3000$ rpm. $$v = \frac{s n}{30000} = 8\,\mathrm{m/s}$$", "80$ mm", "80$ cm"),
+    (r"$s = ?, $n = 3000$ rpm. $$v = \frac{s n}{30000} = 0.3\,\mathrm{m/s}$$", "3$ mm", "3$ in"),
+)
+
+
+@pytest.mark.parametrize(("page", "right", "wrong"), OF_UNITS)
+def test_a_constant_converts_the_units_of_the_page_only(page, right, wrong):
+    verdicts = [check(page.replace("?", unit) + "\n").verdicts[-1].verdict for unit in (right, wrong)]
+    assert verdicts[0] == "conditional"
+    assert verdicts[1] in (*REFUTED, "undecided")

@@ -45,6 +45,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import constants_put_in, paired
 from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
 from symbalance.notes.checking.deciding.remainders import has_remainder
+from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.satisfiability import survey
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import CONDITION, PREMISE
@@ -376,10 +377,20 @@ def decide_with_ratio(left: Formula, right: Formula, knowledge: Knowledge) -> De
         exact = Expansion(evaluator.domain, *small, HIGHEST_ORDER).of(evaluator.form(left))
         for order in range(HIGHEST_ORDER + 1):
             cut_off = truncated_sum(exact.cut(order), SmallLetter(*small, order))
-            node = substitute(
-                polynomial_node(evaluator.domain, cut_off.numerator), small[0], definition.node
-            )
+            series = polynomial_node(evaluator.domain, cut_off.numerator)
+            node = substitute(series, small[0], definition.node)
             if decide_equality(node, right, knowledge).is_proved:
+                exact = _exact_beside_finer(definition.node, right)
+                if (
+                    exact
+                    and not decide_equality(
+                        substitute(series, small[0], exact), right, knowledge
+                    ).is_proved
+                ):
+                    text, given = (formula_text(n, plain=True) for n in (Name(small[0]), definition.node))
+                    return Decision(
+                        UNDECIDED, f"{text} is given as {given}, and no line has more digits of it"
+                    )
                 name = SmallLetter(*small, order).text
                 return Decision(
                     PROVED,
@@ -389,6 +400,14 @@ def decide_with_ratio(left: Formula, right: Formula, knowledge: Knowledge) -> De
     except (NoFormError, TooLargeError):
         return None
     return None
+
+
+def _exact_beside_finer(number: Formula, right: Formula) -> Number | None:
+    """Return a number as its digits say, where a formula has a number with more digits; else None."""
+    if not isinstance(number, Number) or number.last_place is None:
+        return None
+    places = [each.last_place for each in decimals(right) if each.last_place is not None]
+    return Number(number.value) if any(place < number.last_place for place in places) else None
 
 
 def _is_product(left: Formula, right: Formula, knowledge: Knowledge) -> bool:

@@ -469,7 +469,10 @@ def _by_series_where_cut(
         return decision
     if by_series.is_proved and by_series.through is not None:
         return replace(by_series, reason=by_series.reason or MEANT_ROUGHLY)
-    return by_series if by_series.is_proved or by_series.through else decision
+    # two numbers behind = are the same to their digits: no share of them is left out as of a series
+    is_of_numbers = by_series.through is None and not names(right)
+    is_by_series = (by_series.is_proved and not is_of_numbers) or by_series.through
+    return by_series if is_by_series else decision
 
 
 def _rests_on_size(decision: Decision) -> bool:

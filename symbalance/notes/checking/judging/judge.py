@@ -99,6 +99,7 @@ from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
 )
+from symbalance.notes.checking.steps.gravity import GRAVITY_UNIT, stands_for_gravity
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -131,6 +132,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 )
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
+from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
@@ -168,7 +170,7 @@ from symbalance.notes.checking.words.case_words import has_exception_behind
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
-from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.markup.unit_macros import with_units_shown
 from symbalance.notes.reading.spellings.numerals import with_raised_points_lowered
 from symbalance.text import lazy_patterns as re
@@ -398,6 +400,7 @@ class Judge:
         verdict = unless_finer_by_nothing(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         verdict = unless_no_extreme(self.state, chain, k, verdict)
+        verdict = unless_roughly_known(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
 
     def _with_rate_assumed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -866,6 +869,8 @@ class Judge:
         """Return for each two readings of two sides where their units differ, None where they do not."""
         values = {name: _value_with_units(d) for name, d in knowledge.definitions.items()}
         symbols = self.declarations.symbols_at(chain.lines[0])
+        if stands_for_gravity(chain, k, knowledge):
+            symbols = {**symbols, "g": GRAVITY_UNIT}
         rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
         plain = self._plain_letters.at(chain.lines[0])
         dimensions = Dimensions(symbols, values, self.document.text, rounded, plain)
@@ -887,7 +892,10 @@ class Judge:
         if converted is not None and converted.is_proved:
             return None  # 17.9 lb.-in. is 206 kg mm, or a moment
         lettered = [against]
-        if against and not names(chain.sides[against].node):  # m = 0.44 + 0.18 = 0.62 m is no mass
+        has_letters = bool(names(chain.sides[against].node))
+        if against and has_letters and self._is_quantity(chain.sides[k + 1]):
+            lettered.append(0)
+        if against and not has_letters:  # m = 0.44 + 0.18 = 0.62 m is no mass
             symbols = self.declarations.symbols_at(chain.lines[0])
             heads = ((n, chain.sides[n].node) for n in range(against))
             lettered += [
@@ -904,6 +912,10 @@ class Judge:
                 witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
                 return Decision(REFUTED, mismatches[0].reason, witness=witness)
         return None
+
+    def _is_quantity(self, side: Side) -> bool:
+        """Tell whether a side is a number with a unit behind it."""
+        return Dimensions({}, {}, self.document.text).of_numbers(side.node) is not None
 
     @cached_property
     def _plain_letters(self) -> PlainLetters:

@@ -739,7 +739,9 @@ def _decide_step(
     head = chain.sides[0].node
     has_value = k and isinstance(head, Name) and _is_fixed(head.name, knowledge)
     if has_value and (sign == "≈" or not decision.is_proved):
-        decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+        # a number behind = is rounded to its digits, and no closer or farther: 2r = 80 mm is no 81 mm
+        by_value = sign if not names(right.node) else "≈"
+        decision, against = decide(chain.sides[0], right, by_value, knowledge), chain.sides[0]
     if decision.status == REFUTED:
         decision = state.meant.again(chain, k, knowledge) or decision
     if sign == "=" and against is left:

@@ -44,6 +44,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import Quantity
 from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
+from symbalance.notes.checking.meant.changed_quantities import Said, is_changed
 from symbalance.notes.checking.meant.claims_in_letters import (
     in_letters,
     name_of_head,
@@ -152,6 +153,8 @@ _ROD_FORCE = re.compile(
     re.IGNORECASE,
 )
 """Words for the force in the rod, whose letter may be any that a force has."""
+_OF_MINUTES = (30, 60, 120)
+"""Numbers that turn revolutions or cycles of a second into those of a minute."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
 
 
@@ -308,6 +311,8 @@ class NamedQuantities:
             decision = decide(Side((target,), side.span), side, sign, known)
             is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
             if decision.is_proved and not decision.order:
+                if self._is_changed(chain, name, claim, named, knowledge):
+                    return None
                 signs = {f"{n} ≥ 0" for n in names(claim)}
                 signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
                 rest = [text for text in decision.assumptions if text not in signs]
@@ -342,6 +347,44 @@ class NamedQuantities:
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
+
+    def _is_changed(
+        self, chain: Chain, name: str, claim: Formula, named: Named, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether the words beside a quantity's name make another one of it: twice the force.
+
+        The number of an engine's cylinders does so with a formula of one of them.
+        """
+        text = (
+            knowledge.meanings.get(name, "") if named.is_declared else self.words.sentence_before(chain)
+        )
+        formulas = (*named.quantity.formulas, *named.quantity.approximate)
+        of_all = tuple(node for node in formulas if cylinders.name in names(node))
+        of_one = tuple(node for node in formulas if cylinders.name not in names(node))
+        if of_all and not any(
+            agrees(t, claim) for t in self._shaped(of_one, claim, name, named, knowledge)
+        ):
+            return False
+        text = text if of_all else _ENGINE_SIZE.sub("", text)
+        said = Said(
+            named.quantity.name,
+            is_told=named.quantity.only is not None and named.quantity.only.search(text) is not None,
+            has_several=len({stem_of(n) for n in names(claim)}) < len(names(claim)),
+            is_by_minute=any(isinstance(p, Number) and p.value in _OF_MINUTES for p in walk(claim)),
+        )
+        return is_changed(text, named.words, said)
+
+    def _shaped(
+        self,
+        formulas: tuple[Formula, ...],
+        claim: Formula,
+        name: str,
+        named: Named,
+        knowledge: Knowledge,
+    ) -> list[Formula]:
+        """Return formulas of a quantity in the letters of a claim, with no number of cylinders put in."""
+        shaped = tuple(as_side(named.left, formula) for formula in formulas)
+        return list(self.roles.targets(shaped, claim, knowledge.meanings, named.quantity.together, name))
 
     def _inverted(
         self, chain: Chain, name: str, claim: Formula, plain: list[Named], knowledge: Knowledge

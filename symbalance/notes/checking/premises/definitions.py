@@ -167,6 +167,7 @@ class Definitions:
             solved=True,
             branch=constraint.branch if constraint.alternatives else "",
             is_rod_angle=is_rod_angle,
+            is_rough=chain.relations[0].sign == "≈",
         )
         scopes = self.declarations.scopes_of({constraint.name, *names(node)}, line)
         last_line = self.sections.premise_end(chain, is_number=not names(node))

@@ -25,6 +25,7 @@ from symbalance.text import lazy_patterns as re
 GRAVITIES = ("9.81", "9.80665", "9.8", "9.807", "10", "32.2", "32.17", "32.16", "32.174", "386", "386.4")
 """Its usual values, in m/s², ft/s² and in/s²."""
 _FEET, _POUND = (Fraction(3048, 10000), Fraction(254, 10000)), Fraction(45359237, 100000000)
+GRAVITY_UNIT = "m/s^2"
 METRIC = ("9.81", "9.80665")
 """Those that need not be said."""
 _WEIGHT = re.compile(r"[WGPQ](?:_.*)?$|[mM](?:_.*)?[0-9]?$")
@@ -55,7 +56,7 @@ def decide_with_gravity(
     decide_with: Decide = by_definitions,
 ) -> Decision | None:
     """Return the decision on a relation that is open but for g, with the g that is meant."""
-    if decision.status not in (REFUTED, UNDECIDED) or not _stands_open(chain, k, knowledge):
+    if decision.status not in (REFUTED, UNDECIDED) or not stands_for_gravity(chain, k, knowledge):
         return None
     left, right = chain.sides[k], _in_feet(chain.sides[k + 1])
     last: Decision | None = None
@@ -75,7 +76,7 @@ def decide_with_gravity(
     return replace(last, reason="with no usual value of g") if is_number else None
 
 
-def _stands_open(chain: Chain, k: int, knowledge: Knowledge) -> bool:
+def stands_for_gravity(chain: Chain, k: int, knowledge: Knowledge) -> bool:
     """Tell whether g stands behind a relation, has no value there, and goes with a mass or a weight."""
     meaning = knowledge.meanings.get("g", "")
     is_declared = _MEANING.search(meaning) is not None

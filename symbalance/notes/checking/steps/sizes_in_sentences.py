@@ -7,6 +7,7 @@ other number nothing is confirmed here; what is true with the size of the senten
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from math import isclose
 
 from symbalance.document.formula import Constant, Formula, Number, Product, names
@@ -20,7 +21,7 @@ from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.another_case import whole_degrees
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, unit_of
-from symbalance.notes.checking.units.own_units import is_angular_speed
+from symbalance.notes.checking.units.own_units import is_angular_speed, is_per_minute_number
 from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.checking.verdicts import PROVED_WORDS, REFUTED, Verdict
 from symbalance.notes.checking.words.sizes_said import SizeSaid, size_said, sizes_in_words
@@ -29,6 +30,8 @@ from symbalance.notes.reading.units import scale_of
 
 MOST_SIZES = 4
 """Sizes of a paragraph that are tried, the last ones."""
+PER_MINUTE = (Fraction(1, 30), True)
+"""What scale_of says of a revolution per minute."""
 _SPEEDS = ("speed", "velocity", "revolutions", "vitesse", "velocità", "velocidad", "drehzahl")
 
 
@@ -122,6 +125,10 @@ def _letters_of(
             continue
         is_angle = whole_degrees(definition.node) is not None
         size = None if is_angle else dimensions.letter(name, 0)
+        if said.unit and is_per_minute_number(definition.node, state.document.text):
+            if scale_of(said.unit) == PER_MINUTE:  # both as typed
+                found[name] = Number(said.number)
+            continue
         number = _number(said, name, is_angle, size, definition.node, knowledge)
         if number is not None:
             found[name] = number

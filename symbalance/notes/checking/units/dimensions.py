@@ -20,6 +20,7 @@ from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.document.wordlists import words
 from symbalance.notes.checking.declared.symbol_roles import FROM_MIDDLE, FROM_PIN, FROM_TOP, role_of
+from symbalance.notes.checking.units.own_units import is_per_minute_number
 from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.reading.markup import siunitx
 from symbalance.notes.reading.spellings.joined_units import may_be_of_milliseconds, signs_apart
@@ -36,7 +37,7 @@ FEWEST_OF_AN_AMOUNT = 10
 LARGEST_COUNTED, LARGEST_PLAIN = 10, 64
 """A whole number up to the first is a factor of the formula, up to the second a product of 2 and 3 as in
 π d⁴/64, or that of a turn by the minute; 40 may be in hertz, 1000 a change of unit."""
-_OF_MINUTES = (30, 60)
+_OF_MINUTES = (30, 60, 120)
 
 
 def _dimension(kg: int = 0, m: int = 0, s: int = 0, kelvin: int = 0, ampere: int = 0) -> Dimension:
@@ -111,6 +112,9 @@ _BY_WORDS = tuple(
         (_dimension(m=4), r"(?:polar )?(?:second moment of area|area moment of inertia)"),
         (_dimension(m=4), r"(?:polares )?flächenträgheitsmoment|断面二次(?:極)?モーメント"),
         (_dimension(m=3), r"(?:(?:polar|torsional|bending) )?section modulus|widerstandsmoment|断面係数"),
+        (NONE, r"number of (?:cylinders|pistons|throws|cranks|teeth|blades|coils|springs|bolts|discs)"),
+        (NONE, r"気筒数"),
+        (NONE, r"zylinderzahl|anzahl der zylinder|nombre de cylindres"),
         (_dimension(1, -1, -2), r"(?:shear|young's|elastic) modulus|schubmodul|elastizitätsmodul"),
     )
 )
@@ -377,6 +381,8 @@ class Dimensions:
         of_sums = NONE if name in self.plain else None
         if declared is not None or value is None:
             return of_sums if declared is None else declared
+        if is_per_minute_number(value, self.text):
+            return _WHOLE_UNITS["rpm"]
         result = self.rounded.get(name)
         nodes = [node for node in (value, result) if node is not None and self.is_of_units(node)]
         if not nodes and not (meaning is None and names(value) and not _is_wave_of_amounts(value)):

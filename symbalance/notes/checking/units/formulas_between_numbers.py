@@ -9,7 +9,7 @@ of feet and inches, 2 s N/12, or the 3.6 of V/3.6 has to convert exactly: withou
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
@@ -28,14 +28,23 @@ from symbalance.document.formula import (
 )
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.checking.deciding.equality import PROVED, Decision
+from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import significant
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 from symbalance.notes.checking.units.conversions import POUND, POUND_FORCE, quantity_of
-from symbalance.notes.checking.units.dimensions import written_unit
+from symbalance.notes.checking.units.dimensions import (
+    LARGEST_COUNTED,
+    NONE,
+    Dimension,
+    Dimensions,
+    Mismatch,
+    unit_of,
+    written_unit,
+)
 from symbalance.notes.checking.units.own_units import is_per_minute
 from symbalance.notes.reading.equations import ReadNotes, Side
 from symbalance.notes.reading.formulas.result_units import value_of
@@ -44,6 +53,10 @@ from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
 BETWEEN_NUMBERS = "a formula between the numbers of quantities, whose constant converts their units"
+_UNIT_NAMES = {"in": "inch", "in.": "inch"}
+DOES_NOT_CONVERT = "its constant does not convert the units that the page gives its letters"
+_SLIPS = tuple(weight * 10.0**shift for shift in range(-6, 7) for weight in (1, 9.80665, 1 / 9.80665))
+"""What a unit is off by that another prefix, or another unit of force, has: kW for W, N m for kp m."""
 FEWEST_DIGITS = 3
 """That a constant shows which converts units; a small one as 0.00034 two."""
 SMALL = Fraction(1, 100)
@@ -53,21 +66,21 @@ SAME = 1e-9
 LEAST_FAR, MOST_FAR = Fraction(1, 2), Fraction(5)
 """Between these a constant is a factor of safety or of overbalance, as 1.05; it converts no units."""
 _PURE = tuple(
-    simple * math.pi**power * 9.80665**weight
-    for simple, power, weight in combinations_of(
-        (1, 2, 4, 8, 0.5, 0.25, 0.125), (-1, 0, 1, 2), (-1, 0, 1)
-    )
+    simple * math.pi**power
+    for simple, power in combinations_of((1, 2, 4, 8, 0.5, 0.25, 0.125), (-1, 0, 1, 2))
 )
-"""What a formula between quantities may have as its factor."""
+"""What a formula between quantities may have as its factor, beside a power of g."""
 _FEW = {
     **{Fraction(12) * part: part for part in map(Fraction, ("1/4", "1/2", "1", "2", "4"))},
     Fraction("3.6"): Fraction(1),
 }
 """Small numbers that convert, and what is left of each: r = s/24 is half of s in feet, s N/6 is 2 s N."""
-_AS_TURNS = tuple(
-    math.tau**power * 9.80665**weight for power, weight in combinations_of((-1, 0, 1), (-1, 0, 1))
-)
-"""What is then between a formula and its result: turns for radians, the weight of a pound."""
+_TURNS_BETWEEN = tuple(math.tau**power for power in (-1, 0, 1))
+"""What is then between a formula and its result: turns for radians."""
+GRAVITY_PER_SECOND = 9.80665
+_WEIGHTS = (0, -1, 1)
+"""The powers of g that may stand between them: that of a pound or kilogram which is a weight."""
+_ACCELERATION = unit_of("m/s^2") or NONE
 _RADIANS_PER_SECOND = Number(Fraction(math.tau / 60))
 """What a revolution per minute is."""
 _ROUGH = 0.002
@@ -85,6 +98,7 @@ class _Typed:
 
     number: Number
     exact: Formula
+    unit: str
 
 
 def decide_between_numbers(
@@ -119,7 +133,13 @@ def decide_between_numbers(
     there = decide(Side((as_number,), left.span), Side((printed,), right.span), sign, knowledge)
     if not there.is_proved:
         return None
-    pure_factors = _AS_TURNS if constants[0].value in _FEW else _PURE
+    weights = _weights_between(left.node, constants, typed, result.unit)
+    pure_factors = [
+        one * GRAVITY_PER_SECOND**weight
+        for one, weight in combinations_of(
+            _TURNS_BETWEEN if constants[0].value in _FEW else _PURE, weights
+        )
+    ]
     off = sum(_half(c) / abs(float(c.value)) for c in constants) + float(abs(result.half / result.value))
     scales = [result.scale, POUND_FORCE] if result.scale == POUND else [result.scale]
     for pure, scale in combinations_of(_without_constants(as_quantity, constants), scales):
@@ -129,6 +149,36 @@ def decide_between_numbers(
                 there, status=PROVED, assumptions=(*there.assumptions, BETWEEN_NUMBERS), reason=""
             )
     return None
+
+
+def _weights_between(
+    node: Formula, constants: list[Number], typed: dict[str, _Typed | None], unit: str
+) -> tuple[int, ...]:
+    """Return the powers of g between a formula and its result by their units; all where one is open."""
+    difference = difference_of_units(node, constants, typed, unit)
+    if difference is None:
+        return _WEIGHTS
+    return tuple(w for w in _WEIGHTS if difference == tuple(w * each for each in _ACCELERATION))
+
+
+def difference_of_units(
+    node: Formula, constants: list[Number], typed: Mapping[str, _Typed | None], unit: str
+) -> Dimension | None:
+    """Return the dimension of a result over that of its formula without constants, None if open."""
+    units = {name: pair.unit or _count(pair) for name, pair in typed.items() if pair is not None}
+    for constant in constants:
+        node = replace_part(node, constant, Number(Fraction(1)))
+    own = Dimensions({name: f"size, {text}" for name, text in units.items()}, {}).side(node, "")
+    result = unit_of(unit)
+    if own is None or result is None:
+        return None
+    return tuple(a - b for a, b in zip(result, own, strict=True))
+
+
+def _count(pair: _Typed) -> str:
+    """Return the unit of a whole number of cylinders or the like, "" of one whose unit is left out."""
+    is_whole = pair.number.last_place is None and pair.number.value <= LARGEST_COUNTED
+    return "1" if is_whole else ""
 
 
 def _without_constants(node: Formula, constants: list[Number]) -> list[float]:
@@ -148,6 +198,45 @@ def _without_constants(node: Formula, constants: list[Number]) -> list[float]:
         value = value_of(rest)
         found += [value] if value else []
     return found
+
+
+def decide_as_typed(
+    left: Side, right: Side, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a result that a formula has by the numbers typed, and not by their units.
+
+    9550 P/n is 191 N m for 60 kW and 3000 rpm, not for 60 MW, and never 191 W: a constant that converts
+    units does so for those of the page. One of an empirical formula may have a unit of its own. None
+    where the numbers typed do not give the result.
+    """
+    if not puts_in_numbers(left, right, document, knowledge):
+        return None
+    result = quantity_of(right, document)
+    if result is None:
+        return Decision(PROVED, UNITS_LEFT_OUT)
+    typed = {name: _typed(name, document, knowledge) for name in names(left.node)}
+    constants = list(_converting(left.node))
+    difference = difference_of_units(left.node, constants, typed, result.unit)
+    if difference is None:
+        return Decision(PROVED, assumptions=(BETWEEN_NUMBERS,))
+    as_quantity = left.node
+    for name, pair in typed.items():
+        assert pair is not None
+        as_quantity = substitute(as_quantity, name, pair.exact)
+    ratios = [
+        abs(float(result.value * result.scale) / pure)
+        for pure in _without_constants(as_quantity, constants)
+    ]
+    slips = {ratio * slip / one for ratio in ratios for slip in _SLIPS for one in _PURE}
+    is_slip = any(abs(each - 1) < _ROUGH for each in slips)
+    is_same = any(difference == tuple(w * each for each in _ACCELERATION) for w in _WEIGHTS)
+    if is_same:
+        return Decision(REFUTED if is_slip else UNDECIDED, DOES_NOT_CONVERT)
+    if any(abs(ratio / one - 1) < _ROUGH for ratio in ratios for one in _PURE):
+        own = unit_of(result.unit) or NONE
+        due = tuple(a - b for a, b in zip(own, difference, strict=True))
+        return Decision(REFUTED, Mismatch("the left side is in", due, own).reason)
+    return Decision(PROVED, assumptions=(BETWEEN_NUMBERS,))
 
 
 def puts_in_numbers(left: Side, right: Side, document: ReadNotes, knowledge: Knowledge) -> bool:
@@ -357,15 +446,16 @@ def _typed_node(node: Formula, document: ReadNotes) -> _Typed | None:
     scale = scale_of(sign_of_unit(words)) if words else (Fraction(1, 30 if is_speed else 1), is_speed)
     if digits is None or not has_number or scale is None:
         return None
+    unit = "rpm" if is_speed else _UNIT_NAMES.get(words, sign_of_unit(words))
     if _THOUSANDS.fullmatch(digits.group()):
-        whole = _typed_number(digits.group().replace(",", ""), *scale)
+        whole = _typed_number(digits.group().replace(",", ""), *scale, unit)
         first, second = value_of(whole.exact), value_of(node)
         if first and second and first / second < _MOST_OF_A_TURN:
             return whole
-    return _typed_number(digits.group().replace(",", "."), *scale)
+    return _typed_number(digits.group().replace(",", "."), *scale, unit)
 
 
-def _typed_number(text: str, scale: Fraction, is_speed: bool) -> _Typed:
+def _typed_number(text: str, scale: Fraction, is_speed: bool, unit: str) -> _Typed:
     """Return a number in digits, with what it is by the scale of its unit."""
     number = Number(
         Fraction(text), Fraction(1, 10 ** len(text.partition(".")[2])) if "." in text else None
@@ -374,7 +464,7 @@ def _typed_number(text: str, scale: Fraction, is_speed: bool) -> _Typed:
     if is_speed:
         per_minute = Quotient(Constant("pi"), rational_node(1 / scale))
         exact = Quotient(Number(number.value), Quotient(Number(Fraction(1)), per_minute))
-    return _Typed(number, exact)
+    return _Typed(number, exact, unit)
 
 
 def _number_node(definition: Definition) -> Formula | None:

@@ -28,7 +28,7 @@ from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT, in_units_left_out
-from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import without_unit
 from symbalance.notes.checking.deciding.relations import decide
@@ -47,6 +47,7 @@ from symbalance.notes.checking.units.conversions import (
 )
 from symbalance.notes.checking.units.dimensions import unit_of, written_unit
 from symbalance.notes.checking.units.formulas_between_numbers import (
+    decide_as_typed,
     decide_between_numbers,
     decide_numbers_put_in,
     may_convert,
@@ -54,7 +55,7 @@ from symbalance.notes.checking.units.formulas_between_numbers import (
     puts_in_numbers,
     with_printed_results,
 )
-from symbalance.notes.checking.units.own_units import is_per_minute
+from symbalance.notes.checking.units.own_units import is_divided_by_minute, is_per_minute
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.rounded_wholes import decide_rounded_wholes
 from symbalance.notes.checking.units.units_above import proved_by_units_above
@@ -143,7 +144,7 @@ def _as_meant(
         decide_rounded_wholes, proved_by_units_above, decide_with_bare_lengths, decide_in_unit_of_list,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
-        if there is not None and (there.is_proved or meant is _converted):
+        if there is not None and (there.is_proved or meant in (_converted, _between_numbers)):
             return there
     return decision
 
@@ -292,6 +293,8 @@ def _by_frequencies(
 
     With n = 5000 min⁻¹ both v = 2 s n/60 and v = 2 s n are written: n is a number in one of them.
     """
+    if is_divided_by_minute(left.node):
+        return None  # πn/30 would be divided twice
     values = {name: d.node for name, d in knowledge.definitions.items()}
     behind = {n for side in (left, right) for n in names_behind(side.node, values)}
     definitions = dict(knowledge.definitions)
@@ -315,8 +318,7 @@ def _between_numbers(chain: Chain, k: int, document: ReadNotes, knowledge: Knowl
         node = above.node if above.formula is None else above.formula
         left = replace(left, readings=(node,)) if names(node) else left
     there = decide_between_numbers(left, right, chain.relations[k].sign, document, knowledge)
-    if there is None and puts_in_numbers(left, right, document, knowledge):
-        there = Decision(PROVED, UNITS_LEFT_OUT)
+    there = there or decide_as_typed(left, right, document, knowledge)
     there = there or decide_numbers_put_in(left, right, document, knowledge)
     if there is None and k + 2 < len(chain.sides) and puts_in_as_typed(left, right, document, knowledge):
         # 2 s N/12 = 2·6.5·1800/12 = 1950 ft. per min.
@@ -391,6 +393,8 @@ def _per_minute(
             isinstance(s.node, Number) and _RPM.search(document.source(s.span)) for s in other.sides[1:]
         )
     }
+    if is_divided_by_minute(sides[left].node):
+        return None  # πn/30 is by the second
     if not own & counted or not _BY_MINUTE.search(_with_behind(sides[k + 1], document)):
         return None
     by_minute = tuple(Product((Number(Fraction(60)), node)) for node in sides[k + 1].readings)

@@ -43,6 +43,8 @@ _PER_MINUTE = Quotient(Constant("pi"), Number(Fraction(30)))
 _A_SIXTIETH = Number(Fraction(1, 60))
 _BY_NUMBER = {Number(Fraction(60)), Number(Fraction(30))}
 """What a formula divides by whose speed is a number of revolutions per minute: 2πn/60, πn/30."""
+_BY_CYCLES = {Number(Fraction(120))}
+"""So where a cycle takes two revolutions, p V n/120; elsewhere 120 may be an angle."""
 Symbols = Callable[[int], Mapping[str, str]]
 
 
@@ -54,7 +56,7 @@ def with_speeds(document: ReadNotes, symbols_at: Symbols) -> ReadNotes:
         name
         for chain in document.chains
         for side in chain.sides
-        if not _BY_NUMBER.isdisjoint(_typed_numbers(side.node))
+        if divides_by_minute(side.node)
         for name in names(side.node)
     } | {
         chain.sides[0].node.name
@@ -144,7 +146,7 @@ def _with_turns_by_the_second(chain: Chain, counted: set[str], document: ReadNot
     own = {name for side in chain.sides for name in names(side.node)} & counted
     if not own or not any(_OF_A_SECOND.search(document.source(side.span)) for side in chain.sides):
         return chain
-    if any(not _BY_NUMBER.isdisjoint(_typed_numbers(side.node)) for side in chain.sides):
+    if any(divides_by_minute(side.node) for side in chain.sides):
         return chain
     sides = tuple(
         replace(side, readings=(*side.readings, *(_turned(node, own) for node in side.readings)))
@@ -225,9 +227,19 @@ def is_per_minute(text: str, place: int) -> bool:
     return _UNIT_BEHIND.match(text, place) is not None
 
 
+def is_per_minute_number(node: Formula, text: str) -> bool:
+    """Tell whether a number was given in revolutions per minute, whatever it counts in formulas."""
+    return isinstance(node, Number) and node.span[1] > 0 and is_per_minute(text, node.span[1])
+
+
 def divides_by_minute(node: Formula) -> bool:
     """Tell whether a formula has the 60 or 30 that a number of revolutions per minute is divided by."""
-    return not _BY_NUMBER.isdisjoint(_typed_numbers(node))
+    return not (_BY_NUMBER.isdisjoint(_typed_numbers(node)) and _BY_CYCLES.isdisjoint(_divisors(node)))
+
+
+def is_divided_by_minute(node: Formula) -> bool:
+    """Tell whether a formula turns the revolutions of a minute into those of a second: πn/30."""
+    return not (_BY_NUMBER | _BY_CYCLES).isdisjoint(_divisors(node))
 
 
 def is_angular_speed(name: str, symbols: Mapping[str, str]) -> bool:
