@@ -25,6 +25,7 @@ WRONG = [
     "For $k = 3$: $k^2 = 9$. For $k < 3$: $k^2 = 9$.",
     "If $x$ were 2, i.e. if $x = 2$ were true, $x + 1 = 3$. In fact $x + 1 = 3$.",
     "Unless $n$ is odd, $$(-1)^n = -1$$",
+    r"Bei $\theta = 90°$ ist $\sin\theta = 1$. Sonst ist $\sin\theta < 0.5$.",
 ]
 RIGHT = [
     "If $x = 2$, then $x^2 = 4$ and $x^3 = 8$.",
@@ -35,6 +36,11 @@ RIGHT = [
     r"For $x = 2$ $$y = x^2 = 4$$ for $x \ne 2$ $$y = x^2$$",
     "Für $k = 3$ ist $k^2 = 9$, für $k = 4$ ist $k^2 = 16$.",
     "If $n$ is odd, $(-1)^n = -1$.",
+    r"The crank has $r = 40$ mm. If it were $r = 50$ mm, it would be too long. "
+    r"We have $2 r = 80\,\mathrm{mm}$",
+    r"At $\theta = 60°$ it is $2\cos\theta = 1$. For $\theta < 90°$ it is positive. "
+    r"Then $4\cos\theta = 2$.",
+    "Wäre $x = 2$, so wäre $2x = 4$. Dann wäre auch $3x = 6$.",
     "Unless $n$ is odd, $(-1)^n = 1$.",
 ]
 

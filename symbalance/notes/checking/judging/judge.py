@@ -53,7 +53,7 @@ from symbalance.notes.checking.page.quotations import Quotations
 from symbalance.notes.checking.page.table_rows import TableRows
 from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
-from symbalance.notes.checking.steps.angle_equations import lines_of_angles
+from symbalance.notes.checking.steps.angle_equations import lines_of_angles, unless_solved_for_wave
 from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
@@ -92,7 +92,11 @@ from symbalance.notes.checking.steps.closed_orders import unless_closed
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
-from symbalance.notes.checking.steps.ended_cases import leave_ended_cases, unless_of_ended_case
+from symbalance.notes.checking.steps.ended_cases import (
+    leave_ended_cases,
+    letters_of_ended,
+    unless_of_ended_case,
+)
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.formula_one_slip_away import (
@@ -398,6 +402,7 @@ class Judge:
         verdict = unless_condition_fails(self.state, chain, k, verdict)
         verdict = unless_finer_by_nothing(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
+        verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
         verdict = unless_closed(self.state, chain, k, verdict)
         verdict = unless_said_to_vary(self.state, chain, k, verdict)
@@ -540,7 +545,7 @@ class Judge:
         self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
         if self._is_of_all_values(chain, k):
             self.state.general |= _turned(chain.sides[k].node)
-        self.state.general |= self._ranges_of_all_values(chain)
+        self.state.general |= self._ranges_of_all_values(chain) | letters_of_ended(self.state, chain)
         if not k and self.state.sections.is_called_identity(chain):
             self.state.general |= chain.letters
         examples = lines_of_numbers(self.state.definitions, self.state.general)

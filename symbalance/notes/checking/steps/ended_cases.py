@@ -61,8 +61,6 @@ _SENTENCE = re.compile(r"[.;!?]\s|[;。；]|\n\s*\n")
 _JOINED = re.compile(r"[\s$,)]*(?:(?:and|und|et|y|e)(?![^\W\d_])|[,、と])[\s$(]*")
 REACH = 200
 """Characters behind a supposition in which its sentence ends."""
-_FEW = 12
-"""Characters before a range that opens a sentence: "For $"."""
 
 
 def leave_ended_cases(state: JudgingState, chain: Chain) -> None:
@@ -76,6 +74,21 @@ def leave_ended_cases(state: JudgingState, chain: Chain) -> None:
             _forget_since(state.definitions, case, place)
             state.ended_cases.append(case)
             del state.cases_to_leave[start]
+
+
+def letters_of_ended(state: JudgingState, chain: Chain) -> frozenset[str]:
+    """Return the letters of the cases that words end right before an inequality, which is a claim there.
+
+    If θ = 90°, sin θ = 1; otherwise sin θ < 1.
+    """
+    last = state.sections.chain_before(chain.start)
+    is_range = all(relation.sign in SATISFIED_BY for relation in chain.relations)
+    if not state.ended_cases or last is None or not is_range:
+        return frozenset()
+    words = state.document.text[last.end : chain.start]
+    is_said = _OTHERWISE.search(words) or _GENERALLY.search(words)
+    letters = frozenset(name for case in state.ended_cases for name in case.letters)
+    return letters & chain.letters if is_said else frozenset()
 
 
 def _ended_by(state: JudgingState, chain: Chain) -> list[Chain]:
@@ -92,7 +105,7 @@ def _ended_by(state: JudgingState, chain: Chain) -> list[Chain]:
     elif _GENERALLY.search(words[-1]) and (len(words) > 1 or last not in cases):
         ended = [c for c in cases if c.sides[0].node != chain.sides[0].node]
     elif _is_range_of_letter(chain):
-        ended = [c for c in cases if c.letters == chain.letters and _is_left_by(state, c, chain)]
+        ended = [c for c in cases if c.letters == chain.letters and _is_left_by(c, chain)]
     ended += [c for c in cases if c not in ended and _is_no_more_supposed(state, c, chain)]
     return ended
 
@@ -170,17 +183,18 @@ def _is_range_of_letter(chain: Chain) -> bool:
     return len(chain.letters) == 1 and all(r.sign in SATISFIED_BY for r in chain.relations)
 
 
-def _is_left_by(state: JudgingState, case: Chain, chain: Chain) -> bool:
-    """Tell whether a range leaves a case: for x ≠ 2 after for x = 2; or opens a sentence as another."""
+def _is_left_by(case: Chain, chain: Chain) -> bool:
+    """Tell whether a range leaves a case, whose value does not satisfy it: for x ≠ 2 after for x = 2."""
     letter, value = case.sides[0].node, case.sides[1].node
-    for k, relation in enumerate(chain.relations if isinstance(letter, Name) else ()):
+    if not isinstance(letter, Name):
+        return False
+    for k, relation in enumerate(chain.relations):
         sides = [substitute(side.node, letter.name, value) for side in chain.sides[k : k + 2]]
         points = sample_trees(sides, SymbolValue(), 1)
         gap = points[0][1][0].real - points[0][1][1].real if points else 0
         if points and (gap > 0) - (gap < 0) not in SATISFIED_BY[relation.sign]:
             return True
-    before = case_words.clause_before(state.document.text, chain.start)
-    return state.sections.opens_case(chain) and len(before.strip()) < _FEW
+    return False
 
 
 def _is_no_more_supposed(state: JudgingState, case: Chain, chain: Chain) -> bool:

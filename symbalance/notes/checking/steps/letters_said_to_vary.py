@@ -58,7 +58,7 @@ def _is_said_to_vary(state: JudgingState, letter: str, variable: str) -> bool:
 
 
 def _formulas_left_out(state: JudgingState, chain: Chain, k: int) -> Iterator[tuple[str, str, int]]:
-    """Yield the letters under a derivative whose formula with its variable is not in force."""
+    """Yield the letters under a derivative whose formula with its variable is open, and not in force."""
     known = state.knowledge(chain.lines[0]).definitions
     for side in chain.sides[k : k + 2]:
         for part in parts_of_kind(side.node, Derivative):
@@ -72,7 +72,8 @@ def _formulas_left_out(state: JudgingState, chain: Chain, k: int) -> Iterator[tu
 
 def _lines_with(state: JudgingState, letter: str, variable: str, chain: Chain) -> Iterator[int]:
     for above in state.sections.chains_above(Name(letter), chain.start):
-        is_equation = len(above.sides) > 1 and above.relations[0].sign in "=≈"
-        is_right = is_equation and above.sides[1].span[0] not in state.refuted
-        if is_right and variable in names(above.sides[1].node) - {letter}:
+        is_equation = bool(above.relations) and above.relations[0].sign in "=≈"
+        place = above.sides[1].span[0] if is_equation else 0
+        is_open = is_equation and place not in state.refuted | state.proved | state.stated
+        if is_open and variable in names(above.sides[1].node) - {letter}:
             yield above.lines[0]

@@ -160,7 +160,7 @@ def _equations(state: JudgingState, chain: Chain, name: str) -> Iterator[tuple[F
     for each in state.sections.in_order:
         if each.end > chain.start:
             return
-        is_formula = len(each.sides) > 1 and each.relations[0].sign == "="
+        is_formula = bool(each.relations) and each.relations[0].sign == "="
         left = each.sides[0].node
         if not is_formula or not isinstance(left, Name) or not names(each.sides[1].node):
             continue
