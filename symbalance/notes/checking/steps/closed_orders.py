@@ -7,6 +7,7 @@ x < y = z it follows that x < z, and a = b = c + 1 = a + 1 cannot be.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import tau
 
 from symbalance.document.formula import Formula, names
 from symbalance.notes.algebra.evaluation import SymbolValue
@@ -70,11 +71,16 @@ def _against_own_chain(chain: Chain, k: int) -> str | None:
         is_equal = all(sign == "=" for sign in signs)
         is_up = all(sign in _UP for sign in signs) and any(_UP[sign] for sign in signs)
         is_down = all(sign in _DOWN for sign in signs) and any(_DOWN[sign] for sign in signs)
-        if (is_equal and gap) or (is_up and gap >= 0) or (is_down and gap <= 0):
+        if (is_equal and not _is_of_turns(gap)) or (is_up and gap >= 0) or (is_down and gap <= 0):
             sign = "=" if is_equal else "<" if is_up else ">"
             shown = f"{plain_text(left)} {sign} {plain_text(right)}"
             return f"with the signs before it {shown} would be so"
     return None
+
+
+def _is_of_turns(gap: float) -> bool:
+    """Tell whether angles that differ by so much are the same: none, one, two turns."""
+    return abs(gap / tau - round(gap / tau)) <= _SAME
 
 
 def _constant_gap(left: Formula, right: Formula) -> float | None:
