@@ -77,16 +77,16 @@ def leave_ended_cases(state: JudgingState, chain: Chain) -> None:
 
 
 def letters_of_ended(state: JudgingState, chain: Chain) -> frozenset[str]:
-    """Return the letters of the cases that words end right before an inequality, which is a claim there.
+    """Return the letters of the cases that words end right before a relation, which is a claim there.
 
-    If θ = 90°, sin θ = 1; otherwise sin θ < 1.
+    If θ = 90°, sin θ = 1; otherwise sin θ < 1. A value of the letter itself is another case.
     """
     last = state.sections.chain_before(chain.start)
-    is_range = all(relation.sign in SATISFIED_BY for relation in chain.relations)
-    if not state.ended_cases or last is None or not is_range:
+    if not state.ended_cases or last is None or any(isinstance(s.node, Name) for s in chain.sides):
         return frozenset()
     words = state.document.text[last.end : chain.start]
-    is_said = _OTHERWISE.search(words) or _GENERALLY.search(words)
+    is_range = all(relation.sign in SATISFIED_BY for relation in chain.relations)
+    is_said = _GENERALLY.search(words) or (is_range and _OTHERWISE.search(words))
     letters = frozenset(name for case in state.ended_cases for name in case.letters)
     return letters & chain.letters if is_said else frozenset()
 

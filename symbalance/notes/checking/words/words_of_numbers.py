@@ -56,6 +56,8 @@ def number_spoken_of(
     """
     leads = [_lead_of(sections, text, giver) for giver in givers]
     own = [lead.difference(*(leads[:n] + leads[n + 1 :])) for n, lead in enumerate(leads)]
+    if not own[now]:
+        return None  # a number given since, in no case, is that of every case
     first = max(givers[now].end, sections.start_of_line(sections.section_start(chain.lines[0])))
     for k, sentence in enumerate(reversed(_sentences(sections, text, first, chain))):
         if not k and _BOTH.search(sentence):
