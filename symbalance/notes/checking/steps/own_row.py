@@ -11,6 +11,7 @@ from fractions import Fraction
 from itertools import product
 
 from symbalance.document.formula import (
+    Call,
     Formula,
     Name,
     Number,
@@ -58,6 +59,8 @@ def by_own_row(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> V
         name: value for name, value in _row_of(state, chain).items() if value.span < chain.sides[1].span
     }
     for left, formula in _equations(state, chain, head.name):
+        if any(head.name in names(call) for call in parts_of_kind(formula, Call)):
+            continue  # an angle is a place, at which something else is said
         others = (names(left) | names(formula)) - {head.name}
         given = {name: row[name] for name in others & row.keys()}
         if not given or len(others) > MOST:
