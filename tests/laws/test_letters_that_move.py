@@ -65,3 +65,23 @@ def test_a_ratio_may_change_with_a_length(tmp_path):
         "holds",
         "holds_to_order",
     )
+
+
+INTEGRAL = r"$$\int_0^{\pi} F\sin\theta\,d\theta = 2F$$"
+VARYING = ["The force $F(\\theta)$ varies.", "La force $F$ varie.", "$F$ ändert sich mit dem Winkel."]
+CONSTANT = ["The force $F$ is constant.", "It is $F (\\theta - 1)$, a product."]
+
+
+@pytest.mark.parametrize("words", VARYING)
+def test_what_varies_by_the_page_is_not_taken_out_of_an_integral(tmp_path, words):
+    assert last_verdict(tmp_path, f"{words}\n\n{INTEGRAL}", SYMBOLS) == "undecided"
+
+
+@pytest.mark.parametrize("words", CONSTANT)
+def test_what_does_not_is(tmp_path, words):
+    assert last_verdict(tmp_path, f"{words}\n\n{INTEGRAL}", SYMBOLS) == "conditional"
+
+
+def test_a_formula_that_is_left_open_is_not_forgotten_under_a_derivative(tmp_path):
+    lines = (r"l = q + r\cos\theta", r"\frac{dl}{d\theta} = 0")
+    assert last_verdict(tmp_path, in_displays(lines), SYMBOLS) in ("undecided", "refuted")

@@ -182,6 +182,8 @@ def _by_survey(stated: StatedRange, knowledge: Knowledge) -> Decision:
     level = list(knowledge.levels(stated.left, stated.right))[-1]
     meaning = replace(knowledge.meaning, values=level.values)
     others = [r for r in knowledge.ranges if _shares_letters(r, stated)]
+    if (other := next((r for r in others if _leaves_equality(r, stated)), None)) is not None:
+        return Decision(RANGE, f"both sides are equal, with {other.text} of line {other.line}")
     if others:
         among = _within(stated, others, meaning)
         if among.tried >= FEWEST and not any(s in SATISFIED_BY[stated.sign] for s in among.counts):
@@ -199,6 +201,15 @@ def _by_survey(stated: StatedRange, knowledge: Knowledge) -> Decision:
         return Decision(REFUTED, _tried(signs, "true at none"), level=level, witness=witness)
     is_always = len(true) == len(signs.counts)
     return Decision(RANGE, _tried(signs, "true at all") + ", not proved" if is_always else "")
+
+
+def _leaves_equality(earlier: StatedRange, stated: StatedRange) -> bool:
+    """Tell whether two ranges leave only that both sides are equal: x ≤ y and y ≤ x."""
+    if stated.sign not in "≤≥" or earlier.sign not in "≤≥":
+        return False
+    is_same = (earlier.left, earlier.right) == (stated.left, stated.right)
+    is_mirrored = (earlier.left, earlier.right) == (stated.right, stated.left)
+    return (is_same and earlier.sign != stated.sign) or (is_mirrored and earlier.sign == stated.sign)
 
 
 def _shares_letters(earlier: StatedRange, stated: StatedRange) -> bool:

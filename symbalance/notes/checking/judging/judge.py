@@ -37,6 +37,7 @@ from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relati
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
 from symbalance.notes.checking.judging.units_of_results import blame_unit
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
+from symbalance.notes.checking.judging.worded_cases import by_numbers_spoken_of
 from symbalance.notes.checking.meant.given_numbers import number_given, size_given
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
@@ -54,7 +55,7 @@ from symbalance.notes.checking.page.table_rows import TableRows
 from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.carried_values import ONE_IS_WRONG
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
-from symbalance.notes.checking.steps.angle_equations import lines_of_angles
+from symbalance.notes.checking.steps.angle_equations import lines_of_angles, unless_solved_for_wave
 from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
@@ -89,10 +90,16 @@ from symbalance.notes.checking.steps.another_place import (
 )
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
+from symbalance.notes.checking.steps.closed_orders import unless_closed
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
+from symbalance.notes.checking.steps.ended_cases import (
+    leave_ended_cases,
+    letters_of_ended,
+    unless_of_ended_case,
+)
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.formula_one_slip_away import (
@@ -108,6 +115,7 @@ from symbalance.notes.checking.steps.letters_said_anew import (
     leave_formula_of_condition,
     leave_letter_said_anew,
 )
+from symbalance.notes.checking.steps.letters_said_to_vary import unless_said_to_vary
 from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
@@ -126,6 +134,7 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
+from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
@@ -166,7 +175,12 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.checking.words.angles_of_time import with_angles_of_time
-from symbalance.notes.checking.words.case_words import has_exception_behind
+from symbalance.notes.checking.words.case_words import (
+    LONGEST_PLACE,
+    has_exception_behind,
+    leads_to_claim,
+    speaks_of_every,
+)
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
@@ -225,6 +239,7 @@ class Judge:
             self.exercises.enter(chain.lines[0], self.state.definitions, self.declarations)
             self.state.enter_case(chain.lines[0])
             return_to_case(self.state, chain)
+            leave_ended_cases(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             verdicts += self.chain(chain, chain_binds)
         for binding in (b for rest in bindings.values() for b in rest):
@@ -375,6 +390,7 @@ class Judge:
         verdict = with_size_said(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
         again = partial(self._link_in_scope, chain, k, k, bad=False)
         verdict = by_own_numbers(self.state, chain, k, verdict, again)
+        verdict = by_numbers_spoken_of(self.state, chain, k, verdict, again)
         verdict = unless_repeated(self.state, chain, k, verdict, again)
         verdict = self._unless_excepted(chain, k, verdict)
         verdict = self._as_one_of_listed(chain, k, verdict)
@@ -399,6 +415,11 @@ class Judge:
         verdict = unless_condition_fails(self.state, chain, k, verdict)
         verdict = unless_finer_by_nothing(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
+        verdict = unless_solved_for_wave(self.state, chain, k, verdict)
+        verdict = by_own_row(self.state, chain, k, verdict)
+        verdict = unless_closed(self.state, chain, k, verdict)
+        verdict = unless_said_to_vary(self.state, chain, k, verdict)
+        verdict = unless_of_ended_case(self.state, chain, k, verdict)
         verdict = unless_no_extreme(self.state, chain, k, verdict)
         verdict = unless_roughly_known(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
@@ -538,6 +559,7 @@ class Judge:
         self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
         if self._is_of_all_values(chain, k):
             self.state.general |= _turned(chain.sides[k].node)
+        self.state.general |= self._ranges_of_all_values(chain) | letters_of_ended(self.state, chain)
         if not k and self.state.sections.is_called_identity(chain):
             self.state.general |= chain.letters
         examples = lines_of_numbers(self.state.definitions, self.state.general)
@@ -598,6 +620,16 @@ class Judge:
             return self._link_in_scope(chain, k, sound, bad)
         return open_if_datum(self.state, chain, k, verdict)
 
+    def _ranges_of_all_values(self, chain: Chain) -> frozenset[str]:
+        """Return the letter of a range before a relation that is claimed of all of it: for all y > 0."""
+        text, last = self.document.text, self.state.sections.chain_before(chain.start)
+        if last is None or len(last.letters) != 1 or not last.letters <= chain.letters:
+            return frozenset()
+        is_range = all(relation.sign in SATISFIED_BY for relation in last.relations)
+        before = text[max(0, last.start - LONGEST_PLACE * 2) : last.start]
+        is_of_all = is_range and speaks_of_every(before)
+        return last.letters if is_of_all and leads_to_claim(text[last.end : chain.start]) else frozenset()
+
     def _unless_between_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""
         if verdict.verdict not in (*PROVED_WORDS, DEFINITION, PREMISE):
@@ -632,11 +664,13 @@ class Judge:
             return verdict  # no other number has another unit, a row has its own, and a formula none
         knowledge = self.state.knowledge(chain.lines[0])
         if verdict.verdict in PROVED_WORDS:
-            there = refuted_by_nearest(self.state, chain, k, knowledge)
+            is_told = (chain.start, k) in self.state.told_by_words
+            there = None if is_told else refuted_by_nearest(self.state, chain, k, knowledge)
         elif verdict.verdict in (REFUTED, CONTRADICTION):
             there = at_speed_in_words(self.state, chain, k, knowledge)
             there = there or by_the_minute(self.state, chain, k, knowledge)
-            there = there or with_other_values(self.state, chain, k, knowledge)
+            if (chain.start, k) not in self.state.told_by_words:
+                there = there or with_other_values(self.state, chain, k, knowledge)
             there = there or by_number_before(self.state, chain, k, knowledge)
             there = there or by_nearest_equation(self.state, chain, k, knowledge)
             there = there or by_nearest_formulas(self.state, chain, k, knowledge)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from symbalance.document.formula import (
     Call,
@@ -15,6 +16,7 @@ from symbalance.document.formula import (
     names,
     walk,
 )
+from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.claimed_inequalities import decide_claimed, ranges_near
 from symbalance.notes.checking.deciding.denied_conditions import decide_within_ranges
 from symbalance.notes.checking.deciding.descriptions import describe
@@ -24,7 +26,7 @@ from symbalance.notes.checking.deciding.equality import (
     is_of_another_size,
 )
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, decide_inequality
-from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.knowledge import Knowledge, StatedRange
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide
 from symbalance.notes.checking.deciding.sign_of_letters import decide_with_signs
@@ -174,8 +176,15 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
     by_formula = _letters_behind_result(state, chain, k, knowledge)
     letters = by_formula or _bounded_before(state, chain)
     if decision.status == RANGE and letters:
-        claimed = decide_claimed(chain, k, decision, letters, near, knowledge)
-        if claimed.status == REFUTED:
+        others = frozenset[str]() if by_formula else _letters_not_before(state, chain)
+        positive = sorted(knowledge.meaning.positive & chain.letters) if others else ()
+        signs = [StatedRange(Name(n), ">", Number(Fraction(0)), chain.lines[0]) for n in positive]
+        claimed = decide_claimed(chain, k, decision, letters, (*near, *signs), knowledge)
+        if claimed.status == REFUTED and others:
+            shown = ", ".join(sorted(map(plain_letter, others)))
+            reason = f"does not follow from the range before it for every {shown}"
+            decision = Decision(UNDECIDED, reason)
+        elif claimed.status == REFUTED:
             decision = replace(
                 claimed,
                 reason=claimed.reason if by_formula else "does not follow from the range before it",
@@ -193,12 +202,21 @@ def _bounded_before(state: JudgingState, chain: Chain) -> frozenset[str]:
         return frozenset()
     last = max((c for c in state.document.chains if c.end <= chain.start), key=_end_of, default=None)
     is_range = last is not None and all(relation.sign in SATISFIED_BY for relation in last.relations)
-    if last is None or not is_range or not last.relations or not chain.letters <= last.letters:
+    if last is None or not is_range or not last.relations:
         return frozenset()
+    if not chain.letters <= last.letters:  # from x < y it does not follow that x z < y z
+        is_near = chain.start - last.end <= NEAR_RANGE
+        return chain.letters if is_near and last.letters < chain.letters else frozenset()
     has_waves = any(isinstance(part, Call) for side in chain.sides for part in walk(side.node))
     if not has_waves and all(isinstance(s.node, Name) or not names(s.node) for s in last.sides):
         return frozenset()  # of lone letters: judged as a range that follows
     return chain.letters if chain.start - last.end <= NEAR_RANGE else frozenset()
+
+
+def _letters_not_before(state: JudgingState, chain: Chain) -> frozenset[str]:
+    """Return the letters of a conclusion that the relation before it lacks."""
+    last = state.sections.chain_before(chain.start)
+    return frozenset() if last is None else frozenset(chain.letters - last.letters)
 
 
 def _letters_behind_result(

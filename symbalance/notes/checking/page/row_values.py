@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import inf, nan
 from typing import NamedTuple
 
-from symbalance.document.formula import PI, Call, Formula, Number, Product, names, walk
+from symbalance.document.formula import PI, Call, Constant, Formula, Number, Product, names, walk
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
@@ -216,6 +216,8 @@ def _speeds(formula: Formula, place: Place, known: Knowledge) -> dict[str, Defin
         own = known.definitions.get(name)
         if name in _OMEGAS:
             speeds[name] = Definition(place.value, own.line if own else 0, numeric=True)
+        elif own is None and name == place.letter and _counts_minutes(formula):
+            speeds[name] = Definition(Number(place.number.value), 0, numeric=True)
         elif own is not None and name[:1] in "nN" and not names(own.node):
             numbers = [p for p in walk(own.node) if isinstance(p, Number)]
             largest = max(numbers, key=lambda number: number.value, default=None)
@@ -223,3 +225,9 @@ def _speeds(formula: Formula, place: Place, known: Knowledge) -> dict[str, Defin
                 node = replace_part(own.node, largest, Number(place.number.value))
                 speeds[name] = replace(own, node=node, rounded=None)
     return speeds
+
+
+def _counts_minutes(formula: Formula) -> bool:
+    """Tell whether a formula makes radians per second of a number of revolutions per minute: 2π n/60."""
+    numbers = {part.value for part in walk(formula) if isinstance(part, Number)}
+    return Constant("pi") in set(walk(formula)) and not numbers.isdisjoint((30, 60))

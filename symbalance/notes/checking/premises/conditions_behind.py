@@ -58,6 +58,11 @@ _OF_KIND = (
 )
 _PARITY = re.compile(rf"(?:{_OF_KIND})[\s$:,({{]*$")
 _PARITY_BEHIND = re.compile(rf"[\s$,(]{{0,6}}(?:{_WORDS})\s+(?:all\s+|alle\s+)?\$?(?:{_OF_KIND})")
+_UNLESS = re.compile(
+    r"(?<![^\W\d_])(?:unless|except|save|außer|es\s+sei\s+denn|sauf|à\s+moins\s+que|salvo|tranne)(?![^\W\d_])[^,.;=]{0,30}$",
+    re.IGNORECASE,
+)
+"""Right before what must not be: unless n is odd."""
 _CLAUSES = re.compile(r"[.;!?]\s|[;\n]")
 _BEFORE = re.compile(
     rf"(?<![A-Za-z\\])(?:{_WORDS}|as|since|because)(?![A-Za-z])(?:{_BLANK})*(?=\\?[A-Za-z](?![A-Za-z]))"
@@ -115,6 +120,7 @@ def _parities(chain: Chain, document: ReadNotes) -> list[tuple[str, Formula, str
     for match in filter(None, (behind, _PARITY.search(before))):
         name = (match["letter"] or match["subject"]).lstrip("\\")
         is_odd = match.group().lower().find("odd") >= 0 or "ungerad" in match.group()
+        is_odd ^= match is not behind and _UNLESS.search(before, 0, match.start()) is not None
         twice: Formula = Product((Number(Fraction(2)), Name(ANY_WHOLE)))
         if name in chain.letters:
             value = Sum((twice, Number(Fraction(1)))) if is_odd else twice

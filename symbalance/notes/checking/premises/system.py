@@ -15,7 +15,17 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Quotient, Sum, names
+from symbalance.document.formula import (
+    Call,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Quotient,
+    Sum,
+    names,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import FormEvaluator
@@ -244,7 +254,7 @@ def _forms(
     meaning = replace(knowledge.meaning, values=base)
     evaluator = FormEvaluator(meaning.domain(), meaning)
     try:
-        return [evaluator.form(Sum((p.left, Negative(p.right)))) for p in premises]
+        return [evaluator.form(_difference(p)) for p in premises]
     except (NoFormError, TooLargeError):
         return None
 
@@ -326,10 +336,21 @@ def _reduce(
     meaning = replace(knowledge.meaning, values=values)
     evaluator = FormEvaluator(meaning.domain(), meaning)
     try:
-        form = evaluator.form(Sum((premise.left, Negative(premise.right))))
+        form = evaluator.form(_difference(premise))
         return form, _solve_linearly(form.domain, form.numerator, knowledge)
     except (NoFormError, TooLargeError):
         return None
+
+
+def _difference(premise: Premise) -> Formula:
+    """Return left - right; of |y| = 3 the difference of the squares, since y may be -3 as well."""
+    sides = premise.left, premise.right
+    sizes = [side for side in sides if isinstance(side, Call) and side.function == "abs"]
+    others = [side for side in sides if side not in sizes]
+    if len(sizes) != 1 or names(others[0]):
+        return Sum((premise.left, Negative(premise.right)))
+    two = Number(Fraction(2))
+    return Sum((Power(sizes[0].argument, two), Negative(Power(others[0], two))))
 
 
 def _solve_linearly(

@@ -11,26 +11,39 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
+from symbalance.document.formula import (
+    Call,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Sum,
+    names,
+)
 from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import sample_trees
+from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute, with_every
 from symbalance.notes.checking.page.solutions import WAVES, chains_below
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.open_cases import lines_of_cases, without_cases
-from symbalance.notes.checking.verdicts import CONDITION
+from symbalance.notes.checking.verdicts import CONDITION, Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sentences import SENTENCE_END
-from symbalance.notes.reading.equations import Chain
+from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
 NEAR = 0.02
 """Relative difference that a series cut off, and an angle printed in whole degrees, may explain."""
+LONGEST = 80
+"""Characters between an equation and its result."""
 DEGREE = Fraction(1, 60)
 """About a degree, as near as an angle in whole degrees is to what it is printed for."""
 _RESULT = re.compile(
@@ -79,6 +92,33 @@ def as_equation_for_angle(
     return Decision(CONDITION, f"solved for {plain_text(Name(name))} behind it")
 
 
+def unless_solved_for_wave(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; what is no identity may be an equation for a sine that is its result behind it.
+
+    4 λ cos θ + 1 = 0 gives cos θ = -1/(4λ). With that put in it is to be true.
+    """
+    following = next(chains_below(state.document.chains, chain), None)
+    is_open = verdict.verdict == REFUTED and not k and len(chain.relations) == 1
+    if not is_open or following is None or not following.relations:
+        return verdict
+    wave, value = following.sides[0].node, following.sides[1].node
+    between = state.document.text[chain.end : following.start]
+    is_result = _RESULT.search(SENTENCE_END.split(between)[-1]) is not None and len(between) < LONGEST
+    own = chain.sides[0].node, chain.sides[1].node
+    is_wave = isinstance(wave, Call) and wave.function in WAVES and isinstance(wave.argument, Name)
+    if not is_wave or not is_result or wave in own or names(wave) & names(value):
+        return verdict
+    sides = [Side((with_every(node, wave, value),), (0, 0)) for node in own]
+    if any(names(side.node) & names(wave) for side in sides):
+        return verdict  # of another wave as well
+    if decide(sides[0], sides[1], "=", state.knowledge(chain.lines[0])).status == REFUTED:
+        text = Premise(*own, chain.lines[0]).text
+        wrong = Decision(REFUTED, f"does not satisfy {text} of line {chain.lines[0]}")
+        state.wrong_angles[following.start] = wrong
+    reason = f"solved for {plain_text(wave)} behind it"
+    return describe(state.document, chain, k, Decision(CONDITION, reason))
+
+
 def _solves_nearly(condition: Premise, name: str, value: Formula, knowledge: Knowledge) -> bool:
     """Tell whether an equation has a solution near an angle, to a degree, or nothing is known of it."""
     known = {n: d.node for n, d in knowledge.definitions.items() if n != name}
@@ -120,7 +160,7 @@ def _value_behind(state: JudgingState, chain: Chain, name: str) -> Chain | None:
     if is_free and ends_in_number and names(chain.sides[1].node):
         is_result = is_result or _LISTED.fullmatch(between) is not None
     is_value = isinstance(head, Name) and head.name == name and not names(following.sides[1].node)
-    return following if is_value and is_result and len(between) < 80 else None
+    return following if is_value and is_result and len(between) < LONGEST else None
 
 
 def at_rough_angle(

@@ -113,6 +113,16 @@ class JudgingState:
     """Places where the right sides of relations begin that the page only states: nothing proves them."""
     proved: set[int] = field(default_factory=set)
     """Places where the right sides of proved relations begin."""
+    openings: list[Chain] | None = None
+    """The relations that open a case, None before any was asked for."""
+    reached: set[int] = field(default_factory=set)
+    """Where the relations begin that have been judged, or are."""
+    cases_to_leave: dict[int, tuple[Chain, int]] = field(default_factory=dict)
+    """Cases that end, by their place, with where: what stands before that on the line is judged first."""
+    ended_cases: list[Chain] = field(default_factory=list)
+    """Cases that words have left, for x = 2 say: none of their numbers is in force behind."""
+    told_by_words: set[tuple[int, int]] = field(default_factory=set)
+    """Relations, by place and number, whose words say which of several numbers they are about."""
     _meanings: dict[tuple[Any, ...], tuple[SymbolValue, Geometry]] = field(
         default_factory=dict, init=False
     )

@@ -187,6 +187,7 @@ def _numbers_given(state: JudgingState, name: str, chain: Chain) -> list[Chain]:
         above = of_case
     else:
         above = [c for c in above if not state.cases.is_of_case_before(c.lines[0], chain.lines[0])]
+    above = [c for c in above if c not in state.ended_cases]
     of_one = [c for c in above if len(c.relations) == 1 and not names(c.sides[1].node)]
     of_several = [c for c in above if len(c.relations) > 1 and _ends_in_number(state, c)]
     given = [c for c in (*of_one, *of_several) if c.relations[-1].sign in "=≈"]

@@ -63,6 +63,16 @@ _OF_ALL = (
     r"|(?:任意の|すべての|全ての|あらゆる)\s*"
 )
 _ALL = re.compile(_OF_ALL, re.IGNORECASE)
+_CLAIM = re.compile(
+    r"(?:[\s$,:、]|(?<![^\W\d_])(?:we|one|it|that|have|has|holds?|is|true|then|clearly|obviously|gilt|ist|dann|stets|on|a|si|ha|vale|se|tiene)"
+    r"(?![^\W\d_])|について|に対して|では|で)*",
+    re.IGNORECASE,
+)
+_RIGHT_OF_ALL = re.compile(
+    r"(?<![^\W\d_])(?:(?:for|at)\s+(?:all|every|any|each)|für\s+(?:alle|jede[nsrm]?|beliebige[nsrm]?)|pour\s+tou[ts]\w*|per\s+ogni|para\s+todo\w*)"
+    r"(?:\s+(?:real|numbers?|integers?|reellen?|ganzen?|natürlichen?|Zahlen?|réels?|entiers?|values?\s+of|Werte))*$|(?:任意の|すべての|全ての)$",
+    re.IGNORECASE,
+)
 _FOR_ALL_BEHIND = re.compile(
     r"[\s$)}\]\\,]{0,6}(?:\\text\s*\{\s*)?(?:(?:holds?|is\s+(?:true|zero)|gilt|is\s+valid|valid|vanish(?:es)?"
     r"|verschwindet)\s+)?(?=(?:for|für)\s+(?:all|every|any|arbitrary|each|alle|jede[nsrm]?|beliebige[nsrm]?)\s)",
@@ -178,6 +188,24 @@ def words_of_all_behind(text: str, end: int, stop: int) -> str:
         return ""
     stop = min(stop, match.end() + _FARTHEST_BEHIND)
     return _CLAUSE.split(text[match.end() : stop], maxsplit=1)[0]
+
+
+def speaks_of_every(before: str) -> bool:
+    """Tell whether the words right before a letter speak of all its values: for every y > 0 say.
+
+    >>> speaks_of_every("For all $"), speaks_of_every("For all engines with $")
+    (True, False)
+    """
+    return _RIGHT_OF_ALL.search(before.rstrip(" $\\({")) is not None
+
+
+def leads_to_claim(words: str) -> bool:
+    """Tell whether nothing but "we have" and the like stands between a range and what is claimed of it.
+
+    >>> leads_to_claim("$ we have $$"), leads_to_claim("$ we take $")
+    (True, False)
+    """
+    return _CLAIM.fullmatch(words) is not None
 
 
 def is_of_any_sign(words: str) -> bool:

@@ -20,10 +20,13 @@ _LABELLED = re.compile(
     r"|(?:エンジン|機関|場合|ケース)\s?(?P<sign>[A-Z1-9])(?!\w)"
 )
 """A thing with its label: Engine A, "case II", エンジンB; no word that begins with it, engine Alpha."""
-_BESIDE = re.compile(
+COMPARED = (
     r"(?:than|unlike|(?:compared|relative)\s+(?:with|to)|verglichen\s+mit|im\s+Vergleich\s+(?:zu[rm]?|mit)"
     r"|rispetto\s+a|compar[ée]+e?\s+[àa]u?|against|versus|vs\.?|instead\s+of|not|from|als|gegenüber|statt|anders\s+als|que|contre)\s+"
-    r"(?:(?:for|of|in|bei|für|von|pour|de)\s+)?(?:the\s+|der\s+|dem\s+|le\s+)?$",
+)
+"""Words before what something is only compared with."""
+_BESIDE = re.compile(
+    rf"{COMPARED}(?:(?:for|of|in|bei|für|von|pour|de)\s+)?(?:the\s+|der\s+|dem\s+|le\s+)?$",
     re.IGNORECASE,
 )
 """Right before a thing that something is only compared with."""

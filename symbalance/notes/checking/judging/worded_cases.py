@@ -1,0 +1,137 @@
+"""A relation is judged by the numbers that its words speak of: "at idle", "the small one", "for (a)".
+
+Where a letter has several numbers, that given last is in force, though a later sentence may name an
+earlier one. What is proved by the wrong number is open, and what it refutes may be true by the right one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Definition
+from symbalance.notes.checking.premises.definitions import Entry
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    CONTRADICTION,
+    PROVED_WORDS,
+    REFUTED,
+    UNDECIDED,
+    Verdict,
+)
+from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.checking.words.words_of_numbers import number_spoken_of
+from symbalance.notes.reading.equations import Chain
+
+MOST = 8
+"""Numbers of a letter, the last ones, among which words choose."""
+ALL = -1
+"""Of which number words speak that speak of all of them."""
+
+
+def by_numbers_spoken_of(
+    state: JudgingState, chain: Chain, k: int, verdict: Verdict, again: Callable[[], Verdict]
+) -> Verdict:
+    """Return a verdict that rests on the numbers which the words before a relation are about."""
+    judged = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION)
+    if verdict.verdict not in judged or _is_of_one_number(chain):
+        return verdict
+    several = _several_numbers(state, chain, k)
+    text, sections = state.document.text, state.sections
+    spoken: dict[str, Chain] = {}
+    every: list[dict[str, Chain]] = []
+    for name, (givers, now) in several.items():
+        place = number_spoken_of(sections, text, chain, givers, now)
+        if place == ALL:
+            every = every or [{} for _ in givers]
+            for chosen, giver in zip(every, givers, strict=False):
+                chosen[name] = giver
+        elif place is not None:
+            state.told_by_words.add((chain.start, k))
+            spoken |= {} if place == now else {name: givers[place]}
+    if every and verdict.verdict in PROVED_WORDS:
+        for chosen in every:
+            if (there := _with(state, chosen, again)).verdict not in PROVED_WORDS:
+                reason = f"said of all of them; with {_shown(chosen)} it does not hold"
+                return describe(state.document, chain, k, Decision(UNDECIDED, reason))
+    if not spoken:
+        return verdict
+    there = _with(state, spoken, again)
+    if there.verdict in PROVED_WORDS:
+        return there
+    if verdict.verdict not in PROVED_WORDS:
+        return verdict
+    reason = f"its words speak of {_shown(spoken)}, and with that it does not hold"
+    return describe(state.document, chain, k, Decision(UNDECIDED, reason))
+
+
+def _is_of_one_number(chain: Chain) -> bool:
+    return len(chain.sides) == len("ab") and isinstance(chain.sides[0].node, Name) and _is_datum(chain)
+
+
+def _is_datum(chain: Chain) -> bool:
+    is_pair = len(chain.sides) == len("ab") and chain.relations[0].sign in "=≈"
+    return is_pair and not names(chain.sides[1].node)
+
+
+def _several_numbers(state: JudgingState, chain: Chain, k: int) -> dict[str, tuple[list[Chain], int]]:
+    """Return the letters behind a relation that have several numbers above, and which is in force."""
+    knowledge = state.knowledge(chain.lines[0])
+    known = knowledge.definitions
+    nodes = {**knowledge.meaning.values, **{name: d.node for name, d in known.items()}}
+    behind = {n for side in chain.sides[k : k + 2] for n in names_behind(side.node, nodes)}
+    several: dict[str, tuple[list[Chain], int]] = {}
+    for name in sorted(behind & known.keys()):
+        above = [c for c in state.sections.chains_above(Name(name), chain.start) if _is_datum(c)]
+        above = [c for c in above if c.sides[1].span[0] not in state.refuted][-MOST:]
+        values = [c.sides[1].node for c in above]
+        if known[name].node in values and len(set(values)) > 1:
+            several[name] = above, len(values) - 1 - values[::-1].index(known[name].node)
+    return several
+
+
+def _with(state: JudgingState, chosen: Mapping[str, Chain], again: Callable[[], Verdict]) -> Verdict:
+    """Return the verdict with the numbers that lines give letters."""
+    definitions, values = state.definitions, state.definitions.values
+    definitions.values = {name: [*entries] for name, entries in values.items()}
+    for name, entries in definitions.values.items():
+        if name not in chosen and _is_worked_out(entries[-1]):
+            entries.extend(_solved_beside(state, entries, chosen))
+    for name, giver in chosen.items():
+        definition = Definition(giver.sides[1].node, giver.lines[0], numeric=True)
+        definitions.values.setdefault(name, []).append(Entry(definition, ()))
+    try:
+        return again()
+    finally:
+        definitions.values = values
+
+
+def _solved_beside(state: JudgingState, entries: list[Entry], chosen: Mapping[str, Chain]) -> list[Entry]:
+    """Return what a letter was solved for by chosen numbers: λ = r/l by their r and l."""
+    solved = [e for e in entries if _is_worked_out(e)]
+    for name, giver in chosen.items():
+        givers = [c for c in state.sections.chains_of(Name(name)) if _is_datum(c)]
+        place = givers.index(giver)
+        later = min((c.lines[0] for c in givers[place + 1 :]), default=giver.lines[0])
+        own = [e for e in solved if giver.lines[0] <= e.definition.line < later]
+        own = own or ([solved[place]] if len(solved) == len(givers) else [])
+        if own:
+            return [replace(own[-1], last_line=None)]
+    return []
+
+
+def _is_worked_out(entry: Entry) -> bool:
+    """Tell whether a letter's number stands nowhere on the page: it follows from those of others."""
+    return entry.definition.numeric and not entry.definition.node.span[1]
+
+
+def _shown(chosen: Mapping[str, Chain]) -> str:
+    return " and ".join(
+        f"{plain_text(Name(name))} = {plain_text(c.sides[1].node)} of line {c.lines[0]}"
+        for name, c in chosen.items()
+    )

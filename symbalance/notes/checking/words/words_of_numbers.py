@@ -1,0 +1,116 @@
+"""Which of several numbers of a letter the words before a relation speak of: at idle, the small one, (a).
+
+The words before each number that those before the others lack are its own: "at idle ω = 80, at full speed
+ω = 600". A later sentence with own words of one number, and none of the others, speaks of that one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbalance.notes.checking.words.labels_of_cases import COMPARED
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
+
+_TOKEN = re.compile(
+    r"(?<![\w\\])[^\W\d_\u3040-\u9fff]{2,}|(?<![\w\\])[A-Z](?!\w)|\([a-h1-9]\)"
+    r"|(?<=[^\W\d_] )[1-9](?=\s*(?:[:：()$]|$|\.\s|(?:has|have|is|hat|ist|we|gives?|a|est)\s))"
+    r"|(?<![\w.])[1-9](?=[.)]\s)|[\u30a0-\u30ff\u4e00-\u9fff]+"
+)
+_LITTLE = re.compile(
+    r"(?:an?|the|of|its|our|his|is|are|was|were|it|they|we|has|have|had|gives?|be|to|and|or|by|as|get|becomes?|finds?|then|thus|therefore"
+    r"|there|so|hence|here|this|that|these|those|with|for|at|in|on|from|into|when|if|now\s|let|take|now|also|again|one|ones|about|our"
+    r"|der|die|das|den|dem|des|eine?[nmrs]?|und|oder|mit|bei|beim|im|in|am|an|für|von|vom|zu|ist|sind|war|hat|haben|wird|also|man|er|sie|es"
+    r"|gilt|so|dann|daher|somit|auch|sich|nun|le|la|les|l|un|une|du|de|des|d|et|ou|a|est|on|il|elle|pour|avec|dans|à|au|aux|en|sur|donc"
+    r"|crank\w*|radius|radii|rods?|pistons?|strokes?|engines?|motors?|machines?|bores?|cylinders?|mass|force|forces|lengths?|speeds?"
+    r"|values?|angles?|numbers?|diameters?|kurbel\w*|pleuel\w*|kolben\w*|hub|motor(?:en|s)?|masse|kraft|länge|drehzahl|winkel|zahl|wert"
+    r"|moteurs?|manivelles?|bielles?|rayon|course|valeur|vitesse|半径|値|場合|機関|質量|力|角|長)",
+    re.IGNORECASE,
+)
+"""Words that tell no case from another: little ones, and those of any engine."""
+_ENDING = re.compile(r"(?<=[^\W\d_]{3})(?:en|em|er|es|e|s|n)$")
+_ORDINAL = re.compile(
+    r"(?<![^\W\d_])(?:the|der|die|das|dem|den|beim|im|le|la|du|il|el)\s+(?:(?P<first>first|former|erste[nrs]?|premi[eè]re?|primo|primera?|original)"
+    r"|(?P<second>second|latter|zweite[nrs]?|deuxième|secondo?|segund[oa]))(?![^\W\d_])|(?P<one>前者)|(?P<two>後者)",
+    re.IGNORECASE,
+)
+_BOTH = re.compile(
+    r"(?<![^\W\d_])(?:both|beide[nr]?|(?:tou)?(?:te)?s\s+les\s+deux|les\s+deux|entrambi|ambos)\s*"
+    r"(?:(?:the|der|die)\s+)?(?:$|(?:ha(?:ve|t|ben)|are|sind|ont|sont|give|ergeben|cases|engines|motor\w*|machines|maschinen|moteurs|designs|variant\w*"
+    r"|versions|fälle\w*|cas)(?![^\W\d_]))|(?:両者|両方|どちらも)",
+    re.IGNORECASE,
+)
+_COMPARISON = re.compile(rf"(?:{COMPARED})[^,.:;!?。、]*", re.IGNORECASE)
+_SENTENCE = re.compile(r"(?<!^[0-9])(?<!\s[0-9])[.!?]\s|[;。；]|\n\s*\n")
+REACH, MOST, SENTENCES = 200, 6, 2
+"""Characters before a number, words before it, and sentences before a relation that are looked at."""
+
+
+def number_spoken_of(
+    sections: Sections, text: str, chain: Chain, givers: Sequence[Chain], now: int
+) -> int | None:
+    """Return which of several numbers of a letter the words before a relation are about.
+
+    None where they tell none; -1 where they are about all of them. `now` is the one in force.
+    """
+    leads = [_lead_of(sections, text, giver) for giver in givers]
+    own = [lead.difference(*(leads[:n] + leads[n + 1 :])) for n, lead in enumerate(leads)]
+    if not own[now]:
+        return None  # a number given since, in no case, is that of every case
+    first = max(givers[now].end, sections.start_of_line(sections.section_start(chain.lines[0])))
+    for k, sentence in enumerate(reversed(_sentences(sections, text, first, chain))):
+        if not k and _BOTH.search(sentence):
+            return -1
+        words = _tokens(_COMPARISON.sub(" ", sentence))
+        named = {n for n, each in enumerate(own) if each & words}
+        if named:
+            return None if len(named) > 1 else named.pop()
+        ordinal = _ORDINAL.search(_COMPARISON.sub(" ", sentence))
+        if ordinal is not None and len(givers) > 1 and all(own):
+            return 0 if ordinal["first"] or ordinal["one"] else 1
+    return None
+
+
+def _sentences(sections: Sections, text: str, first: int, chain: Chain) -> list[str]:
+    """Return the last sentences before a relation, without formulas, behind the section's heading."""
+    line = chain.lines[0]
+    near = max(first, chain.start - 2 * REACH)
+    sentences = _SENTENCE.split(_without_formulas(sections, text, near, chain.start))
+    heading = sections.heading_above(line)
+    own = [each for each in sentences if each.strip(" \t\n$\\([{")][-SENTENCES:]
+    is_headed_here = sections.start_of_line(sections.section_start(line)) >= first
+    return [heading, *own] if is_headed_here and heading not in own else own
+
+
+def _lead_of(sections: Sections, text: str, giver: Chain) -> frozenset[str]:
+    """Return the words that a number is given with: those of its clause, and of its heading."""
+    before, stop = sections.chain_before(giver.start), giver.start
+    start = max(0, stop - REACH)
+    words = frozenset[str]()
+    while not words and stop > start:
+        first = max(start, before.end if before is not None else 0)
+        words = _tokens(_SENTENCE.split(text[first:stop])[-1])
+        if before is None or _SENTENCE.search(text, before.end, stop) or before.start >= stop:
+            break
+        stop = before.start
+        before = sections.chain_before(stop)
+    return words | _tokens(sections.heading_above(giver.lines[0]))
+
+
+def _tokens(words: str) -> frozenset[str]:
+    """Return the last words that may tell cases apart, without their endings.
+
+    >>> sorted(_tokens("the small one has"))
+    ['small']
+    """
+    found = [m[0] for m in _TOKEN.finditer(words) if not _LITTLE.fullmatch(m[0]) or m[0].isupper()]
+    return frozenset(_ENDING.sub("", w.lower()) if len(w) > 1 else w for w in found[-MOST:])
+
+
+def _without_formulas(sections: Sections, text: str, start: int, stop: int) -> str:
+    shown, place = list[str](), stop
+    while (before := sections.chain_before(place)) is not None and before.start >= start:
+        shown.append(text[before.end : place])
+        place = before.start
+    return " ".join([text[start:place], *reversed(shown)])
