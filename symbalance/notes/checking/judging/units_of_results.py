@@ -21,8 +21,8 @@ from symbalance.notes.reading.equations import Chain
 
 _ROUNDED = 0.01
 """By how much numbers put in may differ from what they stand for by their rounding."""
-_LARGEST = 9
-"""The largest power of ten between two units of one size."""
+_PREFIXES = (3, 6, 9)
+"""The powers of ten between two units of one size: any other is a slip in a number."""
 
 
 def blame_unit(state: JudgingState, chain: Chain, verdicts: list[Verdict], of_follows: str) -> None:
@@ -60,5 +60,5 @@ def _power_between(
         return 0
     ratio = float(typed) / float(exact)
     power = round(log10(ratio))
-    is_of_ten = 0 < abs(power) <= _LARGEST and abs(ratio / 10.0**power - 1) < _ROUNDED
+    is_of_ten = abs(power) in _PREFIXES and abs(ratio / 10.0**power - 1) < _ROUNDED
     return power if is_of_ten else 0

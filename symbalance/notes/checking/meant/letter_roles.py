@@ -213,13 +213,13 @@ class LetterRoles:
         """Tell whether words name a multiple of a letter, a length 2l or a mass m/2: then a factor may be
         meant. A letter that words name by itself too, the crank radius r beside the stroke 2r, is that.
         """
-        if self._roles_named(letter)[0]:
-            return False
         multiple = (
             rf"(?<=[^\W\d_]{{3}})(?<!angle)(?<!inkel)\s[\s$\\(]{{0,4}}\d{{1,9}}\s?{sign_of(letter)}"
         )
         part = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}{sign_of(letter)}\s?/\s?[2-9]"
-        return re.search(multiple, self.text) is not None or re.search(part, self.text) is not None
+        is_named = bool(self._roles_named(letter)[0])
+        is_multiple = not is_named and re.search(multiple, self.text) is not None
+        return is_multiple or re.search(part, self.text) is not None
 
     def words_before(self, letter: str) -> list[str]:
         """Return the few words before each place where a letter stands in the text, or what it is said
