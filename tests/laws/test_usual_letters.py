@@ -9,7 +9,7 @@ NAMED = [
     ("The free couple of first order is", r"M_1 = \sqrt3 m r \omega{} a"),
     (
         "The kinetic energy of the pistons is",
-        r"E_2 = \tfrac12 m r^2 \omega{} [\sin^2\theta + \sin^2\phi]",
+        r"E_2 = \tfrac12 m r^2 \omega{} (\sin^2\theta + \sin^2\phi)",
     ),
     ("Die Massenkraft ist", r"F_1 = m r \omega{} \cos\varphi"),
     ("Das Drehmoment beträgt", r"M_2 = \tfrac12 m r^2 \omega{} \lambda \sin\theta"),

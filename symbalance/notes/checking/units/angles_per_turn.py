@@ -12,18 +12,25 @@ from fractions import Fraction
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, names
 from symbalance.notes.checking.units.own_units import ANGULAR_LETTERS, is_unit_of_speed
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
+from symbalance.text import lazy_patterns as re
 
 _TWO, _PI = Number(Fraction(2)), Constant("pi")
 _A_SIXTIETH = Number(Fraction(1, 60))
+_BY_THE_SECOND = re.compile(
+    r"[0-9][\s~$\\,{}A-Za-z]{0,20}?(?:[kM]?Hz|rps|(?:rev|U|Umdr|tr|giri)\s?/\s?s)(?![A-Za-z])"
+)
+"""A number of hertz or of revolutions per second."""
 
 
 def with_turns_divided(document: ReadNotes) -> ReadNotes:
     """Return a page whose revolutions are rates where an angular speed is divided by a turn."""
-    return replace(document, chains=tuple(map(_chain, document.chains)))
+    return replace(document, chains=tuple(_chain(chain, document) for chain in document.chains))
 
 
-def _chain(chain: Chain) -> Chain:
-    if not any(map(_divided, chain.sides)) or not any(_in_turns(side.node) for side in chain.sides[1:]):
+def _chain(chain: Chain, document: ReadNotes) -> Chain:
+    rates = chain.sides[1:]
+    is_of_turns = any(_in_turns(s.node) or _BY_THE_SECOND.search(document.source(s.span)) for s in rates)
+    if not any(map(_divided, chain.sides)) or not is_of_turns:
         return chain
     return replace(chain, sides=tuple(map(_side, chain.sides)))
 

@@ -123,8 +123,7 @@ _SIGNS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µμ·⋅*", "012345678
 _IN_BRACES = re.compile(r"\s*\{[^{}]*\}(?=.*[A-Za-z])", re.DOTALL)
 _PART = re.compile(r"([A-Za-z°%]+|1(?![0-9]))(?:\^?\(?(-?[0-9])\)?)?$")
 _WRITTEN_UNIT = re.compile(
-    r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])"
-    r"|\[(?![^\[\]]*(?:sin|cos|tan|frac|sqrt))[^\[\]A-Za-z]*+[A-Za-z][^\[\]]*+\]"
+    r"\\(?:mathrm|text|textrm|mbox|unit|si|SI|qty|rm)(?![a-z])|\[[^\[\]A-Za-z]*+[A-Za-z][^\[\]]*+\]"
     r"|[0-9](?:\s|~|\\[,;: ])*(?:mm|cm|km|kg|kN|MPa|GPa|rpm|kW|Hz|bar|rad|Nm)(?![A-Za-z_(^])"
 )
 
