@@ -100,3 +100,20 @@ def test_every_relation_of_the_page_is_judged_for_what_it_is(tmp_path, suffix, t
     words = [v.verdict for v in checked.verdicts if v.verdict != "not_mathematics"]
     assert len(words) == len(expected), words
     assert all(word in allowed.split() for word, allowed in zip(words, expected, strict=True)), words
+
+
+COLUMNS = """up at TDC    0.45 x 13578 = 6110 N    0.30 x 13578 = 4073 N
+
+   P = m r w^2                ...once per rev
+
+   a = b    + c
+"""
+
+
+def test_formulas_in_columns_of_a_line_are_apart(tmp_path):
+    page = tmp_path / "page.txt"
+    page.write_text(COLUMNS, encoding="utf-8")
+    checked = check(page)
+    assert [v.verdict for v in checked.verdicts[:2]] == ["holds_to_order", "holds_to_order"]
+    assert not checked.derivation.unreadable
+    assert len(checked.verdicts) == 4

@@ -32,7 +32,7 @@ _LETTERS = ("theta", "vartheta", "alpha", "phi", "varphi", "psi")
 def at_crank_angle_in_words(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; a result that is open or refuted is judged at the crank angle words name."""
     left, right = chain.sides[k], chain.sides[k + 1]
-    if verdict.verdict not in _OPEN or not is_lone_number(right.node) or not names(left.node):
+    if verdict.verdict not in _OPEN or names(right.node) or not names(left.node):
         return verdict
     place = _place(state, chain)
     knowledge = state.knowledge(chain.lines[0])
@@ -58,7 +58,9 @@ def _decide_there(
     if there.is_proved:
         return replace(there, assumptions=(*there.assumptions, text))
     typed, exact = number_of(right.node, known), number_of(left.node, known)
-    if not typed or not exact or not is_slip(abs(float(typed)), abs(float(exact)), right.node):
+    if not typed or not exact or not is_lone_number(right.node):
+        return Decision(UNDECIDED)
+    if not is_slip(abs(float(typed)), abs(float(exact)), right.node):
         return Decision(UNDECIDED)
     return Decision(REFUTED, f"with {text} it is {float(exact):.4g} in SI units")
 

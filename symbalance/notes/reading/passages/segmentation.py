@@ -55,6 +55,10 @@ _NUMBER_IN_COLUMN = re.compile(
     r"(?=[^\W\d_][\w']{0,8}(?:\([^()\s]{1,8}\))?[ ]*[=≈]|[0-9][0-9.,]*[ ]?[*·×/]\s?[0-9(])"
 )
 """A number at the beginning of a line, in a column of its own: 30    k = 0.966, 4    60*261/4 = 3915."""
+_NEXT_COLUMN = re.compile(
+    r"(?<=[\w°%).²³])[ ]{3,}(?=(?:\.{3}|…)[a-z]|(?![^=≈\n]{0,40}[^\W\d_]{3})[0-9(][^=≈\n]{1,40}[=≈])"
+)
+"""Between two formulas of one line in columns, and before a remark: 0.45 x 13578 = 6110 N    0.30 x …"""
 _MARKDOWN_BULLET = re.compile(
     r"\s*(?:>\s*)*(?:#{1,6}[ \t]+)?(?:\*\*|__)?(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?"
     rf"(?:\(?{_ITEM}(?=\s))?\s*"
@@ -291,7 +295,11 @@ class ItemFinder:
             start = first = number.end()
         if len(_LISTED.findall(self.text, start, end)) > 1:
             pattern += f"|{_LISTED.pattern}"
-        for match in re.finditer(pattern, self.text[start:end]):
+        columns = _NEXT_COLUMN.pattern if self.kind != "tex" else "(?!)"
+        for match in re.finditer(f"{pattern}|{columns}", self.text[start:end]):
+            is_column = match[0].isspace() and len(match[0]) > 1
+            if is_column and not has_relation(self.text, first, start + match.start()):
+                continue
             cells.append((first, start + match.start()))
             first = start + match.end()
         return [*cells, (first, end)]
