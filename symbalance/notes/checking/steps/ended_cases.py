@@ -57,6 +57,10 @@ _SUPPOSED = re.compile(
     r"(?<![^\W\d_\\])(?:assum(?:e|ing)|suppos(?:e|ing|ed)|angenommen|annahme|supposons|supposé|supponiamo|supongamos)(?![^\W\d_])|仮定",
     re.IGNORECASE,
 )
+_ONLY = re.compile(
+    r"(?<![^\W\d_\\])(?:only|nur|seulement|solo|solamente|uniquement)(?![^\W\d_])|のみ", re.IGNORECASE
+)
+"""Before a range that something holds in: it leaves no case, isolation only when η > 2."""
 _SENTENCE = re.compile(r"[.;!?]\s|[;。；]|\n\s*\n")
 _JOINED = re.compile(r"[\s$,)]*(?:(?:and|und|et|y|e)(?![^\W\d_])|[,、と])[\s$(]*")
 REACH = 200
@@ -104,7 +108,7 @@ def _ended_by(state: JudgingState, chain: Chain) -> list[Chain]:
         ended = _last_of(cases, text)
     elif _GENERALLY.search(words[-1]) and (len(words) > 1 or last not in cases):
         ended = [c for c in cases if c.sides[0].node != chain.sides[0].node]
-    elif _is_range_of_letter(chain):
+    elif _is_range_of_letter(chain) and not _ONLY.search(words[-1]):
         ended = [c for c in cases if c.letters == chain.letters and _is_left_by(c, chain)]
     ended += [c for c in cases if c not in ended and _is_no_more_supposed(state, c, chain)]
     return ended
