@@ -36,6 +36,8 @@ _ANOTHER = ("a new case", "of another")
 """How the reasons of a number begin that is taken for one of another case."""
 _ROW = re.compile(r"[ \t]*\|")
 _ITEM = re.compile(r"[ \t]*(?:[-*+•]|\(?[0-9a-h]{1,2}[.)]|\\item)[ \t]")
+_MANY = 200
+"""Relations of one letter on a page, beyond which no row is looked for."""
 MOST = 4
 """Letters of a formula: the corners of more are not tried."""
 FEWEST = 10
@@ -52,7 +54,10 @@ def by_own_row(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> V
     is_new = verdict.verdict == PREMISE and verdict.reason.startswith(_ANOTHER)
     if not is_new and verdict.verdict not in PROVED_WORDS:
         return verdict
-    is_alone = sum(map(_gives_number, state.sections.chains_of(head))) < len("ab")
+    others = state.sections.chains_of(head)
+    if len(others) > _MANY:
+        return verdict  # a page of thousands of numbers of one letter takes time in proportion
+    is_alone = sum(map(_gives_number, others)) < len("ab")
     if (is_alone and not is_new) or is_measured(state.definitions, chain):
         return verdict
     row = {
