@@ -380,13 +380,9 @@ def decide_with_ratio(left: Formula, right: Formula, knowledge: Knowledge) -> De
             series = polynomial_node(evaluator.domain, cut_off.numerator)
             node = substitute(series, small[0], definition.node)
             if decide_equality(node, right, knowledge).is_proved:
-                exact = _exact_beside_finer(definition.node, right)
-                if (
-                    exact
-                    and not decide_equality(
-                        substitute(series, small[0], exact), right, knowledge
-                    ).is_proved
-                ):
+                as_given = _exact_beside_finer(definition.node, right)
+                of_given = substitute(series, small[0], as_given) if as_given else node
+                if not decide_equality(of_given, right, knowledge).is_proved:
                     text, given = (formula_text(n, plain=True) for n in (Name(small[0]), definition.node))
                     return Decision(
                         UNDECIDED, f"{text} is given as {given}, and no line has more digits of it"

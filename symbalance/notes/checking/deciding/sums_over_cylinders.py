@@ -136,7 +136,7 @@ def _with_sums_named(node: Formula, knowledge: Knowledge) -> Formula:
     """Return a formula with the sums over cylinders put in that letters stand for: S_2 = Σ cos 2α_k."""
     for name in sorted(names(node) & knowledge.definitions.keys()):
         value = knowledge.definitions[name].node
-        if any(isinstance(part, Summation) and part.upper is None for part in walk(value)):
+        if any(map(_is_without_index, walk(value))):
             node = substitute(node, name, value)
     return node
 

@@ -330,7 +330,7 @@ class Judge:
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
-        blame_unit(self.state, chain, verdicts, FOLLOWS)
+        blame_unit(self.state, chain, verdicts)
         self.state.definitions.use(chain)
 
     def _note_wrong(self, chain: Chain, k: int, verdict: Verdict) -> None:

@@ -13,6 +13,7 @@ from symbalance.notes.checking.deciding.cases import UNITS_LEFT_OUT
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
+from symbalance.notes.checking.judging.one_relation import FOLLOWS
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.dimensions import written_unit
@@ -25,13 +26,13 @@ _PREFIXES = (3, 6, 9)
 """The powers of ten between two units of one size: any other is a slip in a number."""
 
 
-def blame_unit(state: JudgingState, chain: Chain, verdicts: list[Verdict], of_follows: str) -> None:
+def blame_unit(state: JudgingState, chain: Chain, verdicts: list[Verdict]) -> None:
     """Let a step hold whose numbers are right but for a power of ten, and refute the unit behind it.
 
-    `of_follows` is the reason of a step that is right behind a wrong one. The list is changed in place.
+    The list is changed in place.
     """
     for k in range(len(verdicts) - 1):
-        power = _power_between(state, chain, k, verdicts, of_follows)
+        power = _power_between(state, chain, k, verdicts)
         if not power:
             continue
         size = f"10^{abs(power)} times too {'large' if power > 0 else 'small'}"
@@ -41,13 +42,11 @@ def blame_unit(state: JudgingState, chain: Chain, verdicts: list[Verdict], of_fo
         verdicts[k + 1] = describe(state.document, chain, k + 1, Decision(REFUTED, reason))
 
 
-def _power_between(
-    state: JudgingState, chain: Chain, k: int, verdicts: list[Verdict], of_follows: str
-) -> int:
+def _power_between(state: JudgingState, chain: Chain, k: int, verdicts: list[Verdict]) -> int:
     """Return the power of ten between a formula and the numbers put in, 0 where it is no such case."""
     wrong, behind = verdicts[k : k + 2]
     left, numbers = chain.sides[k].node, chain.sides[k + 1].node
-    is_here = wrong.verdict == REFUTED and behind.verdict in PROVED_WORDS and behind.reason == of_follows
+    is_here = wrong.verdict == REFUTED and behind.verdict in PROVED_WORDS and behind.reason == FOLLOWS
     if not is_here or k + 2 >= len(chain.sides) or names(numbers) or not names(left):
         return 0
     result = chain.sides[k + 2]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Name
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import Decision
@@ -24,14 +24,13 @@ from symbalance.notes.checking.verdicts import (
     UNDECIDED,
     Verdict,
 )
+from symbalance.notes.checking.words.lists_of_data import sets_number
 from symbalance.notes.checking.words.plain_formulas import plain_text
-from symbalance.notes.checking.words.words_of_numbers import number_spoken_of
+from symbalance.notes.checking.words.words_of_numbers import ALL, number_spoken_of
 from symbalance.notes.reading.equations import Chain
 
 MOST = 8
 """Numbers of a letter, the last ones, among which words choose."""
-ALL = -1
-"""Of which number words speak that speak of all of them."""
 
 
 def by_numbers_spoken_of(
@@ -39,7 +38,7 @@ def by_numbers_spoken_of(
 ) -> Verdict:
     """Return a verdict that rests on the numbers which the words before a relation are about."""
     judged = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION)
-    if verdict.verdict not in judged or _is_of_one_number(chain):
+    if verdict.verdict not in judged or sets_number(chain):
         return verdict
     several = _several_numbers(state, chain, k)
     text, sections = state.document.text, state.sections
@@ -70,15 +69,6 @@ def by_numbers_spoken_of(
     return describe(state.document, chain, k, Decision(UNDECIDED, reason))
 
 
-def _is_of_one_number(chain: Chain) -> bool:
-    return len(chain.sides) == len("ab") and isinstance(chain.sides[0].node, Name) and _is_datum(chain)
-
-
-def _is_datum(chain: Chain) -> bool:
-    is_pair = len(chain.sides) == len("ab") and chain.relations[0].sign in "=≈"
-    return is_pair and not names(chain.sides[1].node)
-
-
 def _several_numbers(state: JudgingState, chain: Chain, k: int) -> dict[str, tuple[list[Chain], int]]:
     """Return the letters behind a relation that have several numbers above, and which is in force."""
     knowledge = state.knowledge(chain.lines[0])
@@ -87,7 +77,7 @@ def _several_numbers(state: JudgingState, chain: Chain, k: int) -> dict[str, tup
     behind = {n for side in chain.sides[k : k + 2] for n in names_behind(side.node, nodes)}
     several: dict[str, tuple[list[Chain], int]] = {}
     for name in sorted(behind & known.keys()):
-        above = [c for c in state.sections.chains_above(Name(name), chain.start) if _is_datum(c)]
+        above = [c for c in state.sections.chains_above(Name(name), chain.start) if sets_number(c)]
         above = [c for c in above if c.sides[1].span[0] not in state.refuted][-MOST:]
         values = [c.sides[1].node for c in above]
         if known[name].node in values and len(set(values)) > 1:
@@ -115,7 +105,7 @@ def _solved_beside(state: JudgingState, entries: list[Entry], chosen: Mapping[st
     """Return what a letter was solved for by chosen numbers: λ = r/l by their r and l."""
     solved = [e for e in entries if _is_worked_out(e)]
     for name, giver in chosen.items():
-        givers = [c for c in state.sections.chains_of(Name(name)) if _is_datum(c)]
+        givers = [c for c in state.sections.chains_of(Name(name)) if sets_number(c)]
         place = givers.index(giver)
         later = min((c.lines[0] for c in givers[place + 1 :]), default=giver.lines[0])
         own = [e for e in solved if giver.lines[0] <= e.definition.line < later]

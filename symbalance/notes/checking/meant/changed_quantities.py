@@ -59,7 +59,7 @@ _SETTING = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class Traits:
     """What is known of a quantity and of its formula, beside the words around its name."""
 
     name: str = ""
@@ -70,22 +70,22 @@ class Said:
     is_by_minute: bool = False
 
 
-def is_changed(text: str, words: str, said: Said) -> bool:
+def is_changed(text: str, words: str, traits: Traits) -> bool:
     """Tell whether the words beside a phrase make another quantity of the one that it names.
 
-    >>> is_changed("Twice the kinetic energy is", "kinetic energy", Said())
+    >>> is_changed("Twice the kinetic energy is", "kinetic energy", Traits())
     True
-    >>> is_changed("The kinetic energy of the disc is", "kinetic energy", Said())
+    >>> is_changed("The kinetic energy of the disc is", "kinetic energy", Traits())
     False
     """
     before, behind = noun_phrase(text, words)
     bare = _SETTING.sub(" ", f"{before} · {behind}")
-    is_natural = "natural" in said.name or "critical" in said.name
+    is_natural = "natural" in traits.name or "critical" in traits.name
     patterns = [_MULTIPLE, _RATE]
-    patterns += [] if said.is_told or said.has_several else [_SEVERAL]
-    patterns += [] if "ratio" in said.name else [_INVERSE]
-    patterns += [_MINUTE] if "frequency" in said.name and not said.is_by_minute else []
-    is_second = is_natural and not said.is_told and _SECOND.search(before.rstrip()) is not None
+    patterns += [] if traits.is_told or traits.has_several else [_SEVERAL]
+    patterns += [] if "ratio" in traits.name else [_INVERSE]
+    patterns += [_MINUTE] if "frequency" in traits.name and not traits.is_by_minute else []
+    is_second = is_natural and not traits.is_told and _SECOND.search(before.rstrip()) is not None
     return is_second or any(pattern.search(bare) for pattern in patterns)
 
 

@@ -44,7 +44,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import Quantity
 from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
-from symbalance.notes.checking.meant.changed_quantities import Said, is_changed
+from symbalance.notes.checking.meant.changed_quantities import Traits, is_changed
 from symbalance.notes.checking.meant.claims_in_letters import (
     in_letters,
     name_of_head,
@@ -366,13 +366,13 @@ class NamedQuantities:
         ):
             return False
         text = text if of_all else _ENGINE_SIZE.sub("", text)
-        said = Said(
+        traits = Traits(
             named.quantity.name,
             is_told=named.quantity.only is not None and named.quantity.only.search(text) is not None,
             has_several=len({stem_of(n) for n in names(claim)}) < len(names(claim)),
             is_by_minute=any(isinstance(p, Number) and p.value in _OF_MINUTES for p in walk(claim)),
         )
-        return is_changed(text, named.words, said)
+        return is_changed(text, named.words, traits)
 
     def _shaped(
         self,

@@ -55,6 +55,7 @@ _OF_A_CASE = re.compile(
 _CLAUSE = re.compile(r"(?:[.!?;。；]\s|\n\s*\n|。)")
 _LONGEST_CLAUSE = 120
 _FEW_SIDES = 3
+"""Of a formula in a sentence, 2R = 2·40 = 80 mm; a longer chain is a derivation."""
 _SIZES = frozenset({"mm", "cm", "m", "in", "ft", "kg", "g", "lb"})
 """Units of numbers that may stand beside their letter without a verb."""
 
@@ -94,9 +95,9 @@ def _of_formulas(page: ReadNotes) -> Iterator[GivenInProse]:
         match = _SAID.search(page.text, start, chain.start)
         if match is None or _OF_A_CASE.search(_CLAUSE.split(page.text[start : match.start()])[-1]):
             continue
-        group = next(n for n in ("dollars", "bracket", "plain", "after_sign") if match[n])
+        letter, place = _letter_in(match)
         value = " ".join(_SETTING.sub(" ", page.source(last.span).replace("{,}", ",")).split())
-        yield GivenInProse(match[group], match.span(group), value, last.span)
+        yield GivenInProse(letter, place, value, last.span)
 
 
 def _given(text: str) -> Iterator[GivenInProse]:
@@ -109,10 +110,16 @@ def _given(text: str) -> Iterator[GivenInProse]:
             continue
         if _OF_A_CASE.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
-        group = next(n for n in ("dollars", "bracket", "plain", "after_sign") if match[n])
+        letter, place = _letter_in(match)
         value = f"{match['number']} {unit}".strip().replace("{,}", ",")
         value_span = match.start("number"), match.start("behind") + end
-        yield GivenInProse(match[group], match.span(group), value, value_span)
+        yield GivenInProse(letter, place, value, value_span)
+
+
+def _letter_in(match: re.Match[str]) -> tuple[str, Span]:
+    """Return the letter that a pattern with `_LETTER` has found, and its place."""
+    group = next(n for n in ("dollars", "bracket", "plain", "after_sign") if match[n])
+    return match[group], match.span(group)
 
 
 def _is_factor(text: str, first: int, last: int) -> bool:

@@ -39,16 +39,18 @@ def unless_closed(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -
     """Return a verdict; a relation that cannot be beside those before it is refuted."""
     if verdict.verdict not in STATED:
         return verdict
-    if (reason := _against_own_chain(chain, k)) is not None:
-        _forget(state, chain, k)
-        return describe(state.document, chain, k, Decision(REFUTED, reason))
-    if (reason := _stronger_than_before(state, chain, k)) is not None:
-        _forget(state, chain, k)
-        return describe(state.document, chain, k, Decision(UNDECIDED, reason))
-    if (reason := _against_run(state, chain, k)) is not None:
-        _forget(state, chain, k)
-        return describe(state.document, chain, k, Decision(CONTRADICTION, reason))
+    for status, reason in _objections(state, chain, k):
+        if reason is not None:
+            _forget(state, chain, k)
+            return describe(state.document, chain, k, Decision(status, reason))
     return verdict
+
+
+def _objections(state: JudgingState, chain: Chain, k: int) -> Iterator[tuple[str, str | None]]:
+    """Yield what may be said against a relation, with the reason or None, the surest first."""
+    yield REFUTED, _against_own_chain(chain, k)
+    yield UNDECIDED, _stronger_than_before(state, chain, k)
+    yield CONTRADICTION, _against_run(state, chain, k)
 
 
 def _forget(state: JudgingState, chain: Chain, k: int) -> None:
@@ -99,7 +101,7 @@ def _stronger_than_before(state: JudgingState, chain: Chain, k: int) -> str | No
     """Return why words draw too much from the range before: from x ≥ y it does not follow that x > y."""
     last = state.sections.chain_before(chain.start)
     sign, left, right = chain.relations[k].sign, chain.sides[k].node, chain.sides[k + 1].node
-    if k or last is None or len(last.sides) != len("ab") or sign not in _STRICT:
+    if k or last is None or len(last.relations) != 1 or sign not in _STRICT:
         return None
     if not state.sections.is_consequence(chain) or state.sections.opens_case(chain):
         return None
@@ -153,16 +155,16 @@ def _facts(chain: Chain, stop: int | None) -> Iterator[Fact]:
 
 def _path(facts: list[Fact], start: Formula, end: Formula) -> list[Fact] | None:
     """Return the facts that lead up from one side to another, None where none do; strict ones first."""
-    found: dict[tuple[Formula, bool], list[Fact]] = {(start, False): []}
+    ways: dict[tuple[Formula, bool], list[Fact]] = {(start, False): []}
     queue = [(start, False)]
     while queue:
         node, is_strict = queue.pop(0)
         for fact in facts:
             key = (fact[1], is_strict or fact[2])
-            if fact[0] == node and key not in found:
-                found[key] = [*found[node, is_strict], fact]
+            if fact[0] == node and key not in ways:
+                ways[key] = [*ways[node, is_strict], fact]
                 queue.append(key)
-    return found.get((end, True)) or (found.get((end, False)) if start != end else None)
+    return ways.get((end, True)) or (ways.get((end, False)) if start != end else None)
 
 
 def _run_before(state: JudgingState, chain: Chain) -> Iterator[Chain]:

@@ -8,7 +8,6 @@ Where it is neither, what was said of it stays.
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, names
 from symbalance.notes.algebra.letters_behind import names_behind
@@ -20,41 +19,41 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.slips_in_numbers import is_slip
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import CONDITION, PREMISE, UNDECIDED, Verdict
-from symbalance.notes.checking.words.crank_places import crank_places
+from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, PREMISE, UNDECIDED, Verdict
+from symbalance.notes.checking.words.crank_places import CrankPlace, crank_places
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
-_OPEN = (CONDITION, PREMISE, UNDECIDED, "refuted", "contradiction")
+_JUDGED = (CONDITION, PREMISE, UNDECIDED, REFUTED, CONTRADICTION)
 _LETTERS = ("theta", "vartheta", "alpha", "phi", "varphi", "psi")
+"""The usual letters of a crank angle that nobody declares."""
 
 
 def at_crank_angle_in_words(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; a result that is open or refuted is judged at the crank angle words name."""
     left, right = chain.sides[k], chain.sides[k + 1]
-    if verdict.verdict not in _OPEN or names(right.node) or not names(left.node):
+    if verdict.verdict not in _JUDGED or names(right.node) or not names(left.node):
         return verdict
-    place = _place(state, chain)
+    if (place := _place(state, chain)) is None:
+        return verdict
     knowledge = state.knowledge(chain.lines[0])
-    theta = _crank_angle(left.node, knowledge) if place is not None else None
-    if place is None or theta is None or _has_nearer_number(state, chain, theta, place[0]):
+    theta = _crank_angle(left.node, knowledge)
+    if theta is None or _has_nearer_number(state, chain, theta, place.start):
         return verdict
-    there = _decide_there(state, chain, k, theta, place)
+    there = _decide_there(chain, k, theta, place, knowledge)
     is_open = verdict.verdict in (PREMISE, UNDECIDED)
     if there.is_proved or (is_open and there.status == REFUTED and there.reason):
         return describe(state.document, chain, k, there)
     return verdict
 
 
-def _decide_there(
-    state: JudgingState, chain: Chain, k: int, theta: str, place: tuple[int, Fraction, str]
-) -> Decision:
+def _decide_there(chain: Chain, k: int, theta: str, place: CrankPlace, knowledge: Knowledge) -> Decision:
     """Return the decision at the angle of a place, with the reason where one slip lies between."""
-    left, right, line = chain.sides[k], chain.sides[k + 1], chain.lines[0]
-    angle = Product((Number(place[1] / 180), Constant("pi")))
-    known = state.knowledge(line).with_definition(theta, Definition(angle, line, True))
+    left, right = chain.sides[k], chain.sides[k + 1]
+    angle = Product((Number(place.degrees / 180), Constant("pi")))
+    known = knowledge.with_definition(theta, Definition(angle, chain.lines[0], True))
     there = decide(left, right, chain.relations[k].sign, known)
-    text = f"{plain_text(Name(theta))} = {plain_text(Number(place[1]))}° (“{place[2]}”)"
+    text = f"{plain_text(Name(theta))} = {plain_text(Number(place.degrees))}° (“{place.words}”)"
     if there.is_proved:
         return replace(there, assumptions=(*there.assumptions, text))
     typed, exact = number_of(right.node, known), number_of(left.node, known)
@@ -65,13 +64,13 @@ def _decide_there(
     return Decision(REFUTED, f"with {text} it is {float(exact):.4g} in SI units")
 
 
-def _place(state: JudgingState, chain: Chain) -> tuple[int, Fraction, str] | None:
+def _place(state: JudgingState, chain: Chain) -> CrankPlace | None:
     """Return the crank angle that words name last before a relation in its section; None for none."""
     sections, line = state.sections, chain.lines[0]
-    before = [each for each in crank_places(state.document.text) if each[0] < chain.start]
+    before = [each for each in crank_places(state.document.text) if each.start < chain.start]
     if not before:
         return None
-    is_here = sections.same_section(state.document.line_of(before[-1][0]), line)
+    is_here = sections.same_section(state.document.line_of(before[-1].start), line)
     return before[-1] if is_here else None
 
 

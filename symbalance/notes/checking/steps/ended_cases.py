@@ -70,8 +70,11 @@ REACH = 200
 def leave_ended_cases(state: JudgingState, chain: Chain) -> None:
     """Forget the cases above a relation in its section that its words, or the relation itself, end."""
     state.cases_to_leave |= {case.start: (case, chain.start) for case in _ended_by(state, chain)}
-    state.reached.add(chain.start)
-    row = [c.start for c in state.sections.chains_on(chain.lines[0]) if c.start not in state.reached]
+    state.starts_judged.add(chain.start)
+    if not state.cases_to_leave:
+        return
+    on_line = state.sections.chains_on(chain.lines[0])
+    row = [c.start for c in on_line if c.start not in state.starts_judged]
     first = min([*row, chain.start])  # of one line a case is judged first, whatever stands before it
     for start, (case, place) in list(state.cases_to_leave.items()):
         if place <= first:
@@ -229,8 +232,8 @@ def _forget_since(definitions: Definitions, case: Chain, place: int) -> None:
     definitions.premises = [p for p in definitions.premises if not is_of_case(p.right, p.line)]
     definitions.ranges = [r for r in definitions.ranges if not is_of_case(r.right, r.line)]
     for name, entries in list(definitions.values.items()):
-        kept = [e for e in entries if not is_of_case(e.definition.node, e.definition.line)]
-        if kept:
-            definitions.values[name] = kept
+        others = [e for e in entries if not is_of_case(e.definition.node, e.definition.line)]
+        if others:
+            definitions.values[name] = others
         else:
             del definitions.values[name]

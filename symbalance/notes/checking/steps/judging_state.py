@@ -115,7 +115,7 @@ class JudgingState:
     """Places where the right sides of proved relations begin."""
     openings: list[Chain] | None = None
     """The relations that open a case, None before any was asked for."""
-    reached: set[int] = field(default_factory=set)
+    starts_judged: set[int] = field(default_factory=set)
     """Where the relations begin that have been judged, or are."""
     cases_to_leave: dict[int, tuple[Chain, int]] = field(default_factory=dict)
     """Cases that end, by their place, with where: what stands before that on the line is judged first."""

@@ -28,6 +28,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises.measured_values import is_measured
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import PREMISE, PROVED_WORDS, REFUTED, UNDECIDED, Verdict
+from symbalance.notes.checking.words.lists_of_data import sets_number
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -54,10 +55,10 @@ def by_own_row(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> V
     is_new = verdict.verdict == PREMISE and verdict.reason.startswith(_ANOTHER)
     if not is_new and verdict.verdict not in PROVED_WORDS:
         return verdict
-    others = state.sections.chains_of(head)
-    if len(others) > _MANY:
+    givers = state.sections.chains_of(head)
+    if len(givers) > _MANY:
         return verdict  # a page of thousands of numbers of one letter takes time in proportion
-    is_alone = sum(map(_gives_number, others)) < len("ab")
+    is_alone = sum(map(sets_number, givers)) <= 1
     if (is_alone and not is_new) or is_measured(state.definitions, chain):
         return verdict
     row = {
@@ -91,7 +92,7 @@ def _row_of(state: JudgingState, chain: Chain) -> dict[str, Formula]:
     """Return the numbers that a relation's row of a table, list item or sentence gives letters."""
     sections, text, line = state.sections, state.document.text, chain.lines[0]
     head = chain.sides[0].node
-    lines = text.split("\n")
+    lines = sections.lines
     first = last = line
     if not _ROW.match(lines[line - 1]):
         while first > sections.paragraph_start(line) and not _ITEM.match(lines[first - 1]):
@@ -123,12 +124,7 @@ def _numbers_on(state: JudgingState, lines: range) -> list[Chain]:
     """Return the relations on lines that give letters one number, in order."""
     chains = [c for line in lines for c in state.sections.chains_on(line)]
     chains += [c for c in state.data if c.lines[0] in lines]
-    return sorted((c for c in chains if _gives_number(c)), key=lambda c: c.start)
-
-
-def _gives_number(chain: Chain) -> bool:
-    is_pair = len(chain.sides) == len("ab") and chain.relations[0].sign in "=≈"
-    return is_pair and isinstance(chain.sides[0].node, Name) and not names(chain.sides[1].node)
+    return sorted((c for c in chains if sets_number(c)), key=lambda c: c.start)
 
 
 def _values(chains: list[Chain]) -> dict[str, Formula]:
@@ -155,7 +151,7 @@ def _common(
         every = [*sections.chains_of(Name(name)), *state.data]
         own = [c for c in every if c.sides[0].node == Name(name) and not names(c.sides[-1].node)]
         is_apart = own and sections.paragraph_start(own[0].lines[0]) not in starts
-        if len(own) == 1 and is_apart and _gives_number(own[0]) and own[0].end <= chain.start:
+        if len(own) == 1 and is_apart and sets_number(own[0]) and own[0].end <= chain.start:
             common[name] = own[0].sides[1].node
     return common
 

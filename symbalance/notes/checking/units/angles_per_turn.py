@@ -10,15 +10,13 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, names
-from symbalance.notes.checking.units.own_units import ANGULAR_LETTERS, is_unit_of_speed
+from symbalance.notes.checking.units.own_units import ANGULAR_LETTERS, BY_THE_SECOND, is_unit_of_speed
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
 _TWO, _PI = Number(Fraction(2)), Constant("pi")
 _A_SIXTIETH = Number(Fraction(1, 60))
-_BY_THE_SECOND = re.compile(
-    r"[0-9][\s~$\\,{}A-Za-z]{0,20}?(?:[kM]?Hz|rps|(?:rev|U|Umdr|tr|giri)\s?/\s?s)(?![A-Za-z])"
-)
+_BY_THE_SECOND = re.compile(rf"[0-9][\s~$\\,{{}}A-Za-z]{{0,20}}?{BY_THE_SECOND}(?![A-Za-z])")
 """A number of hertz or of revolutions per second."""
 
 

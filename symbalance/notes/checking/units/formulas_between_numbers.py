@@ -49,13 +49,14 @@ from symbalance.notes.checking.units.own_units import is_per_minute
 from symbalance.notes.reading.equations import ReadNotes, Side
 from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
-from symbalance.notes.reading.units import scale_of
+from symbalance.notes.reading.units import GRAVITY, scale_of
 from symbalance.text import lazy_patterns as re
 
 BETWEEN_NUMBERS = "a formula between the numbers of quantities, whose constant converts their units"
 _UNIT_NAMES = {"in": "inch", "in.": "inch"}
 DOES_NOT_CONVERT = "its constant does not convert the units that the page gives its letters"
-_SLIPS = tuple(weight * 10.0**shift for shift in range(-6, 7) for weight in (1, 9.80665, 1 / 9.80665))
+_G = float(GRAVITY)
+_SLIPS = tuple(weight * 10.0**shift for shift in range(-6, 7) for weight in (1, _G, 1 / _G))
 """What a unit is off by that another prefix, or another unit of force, has: kW for W, N m for kp m."""
 FEWEST_DIGITS = 3
 """That a constant shows which converts units; a small one as 0.00034 two."""
@@ -77,7 +78,6 @@ _FEW = {
 """Small numbers that convert, and what is left of each: r = s/24 is half of s in feet, s N/6 is 2 s N."""
 _TURNS_BETWEEN = tuple(math.tau**power for power in (-1, 0, 1))
 """What is then between a formula and its result: turns for radians."""
-GRAVITY_PER_SECOND = 9.80665
 _WEIGHTS = (0, -1, 1)
 """The powers of g that may stand between them: that of a pound or kilogram which is a weight."""
 _ACCELERATION = unit_of("m/s^2") or NONE
@@ -135,7 +135,7 @@ def decide_between_numbers(
         return None
     weights = _weights_between(left.node, constants, typed, result.unit)
     pure_factors = [
-        one * GRAVITY_PER_SECOND**weight
+        one * _G**weight
         for one, weight in combinations_of(
             _TURNS_BETWEEN if constants[0].value in _FEW else _PURE, weights
         )

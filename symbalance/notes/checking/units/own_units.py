@@ -167,7 +167,9 @@ def _turned(node: Formula, counted: set[str]) -> Formula:
     return with_children(node, tuple(_turned(part, counted) for part in parts)) if parts else node
 
 
-_HERTZ = re.compile(r"(?<![A-Za-z])(?:[kM]?Hz|rps|r\.p\.s\.|(?:rev|U|Umdr|tr|giri)\s?/\s?s)(?![A-Za-z])")
+BY_THE_SECOND = r"(?:[kM]?Hz|rps|r\.p\.s\.|(?:rev|U|Umdr|tr|giri)\s?/\s?s)"
+"""The units of turns and cycles by the second."""
+_HERTZ = re.compile(rf"(?<![A-Za-z]){BY_THE_SECOND}(?![A-Za-z])")
 _PER_SECOND = re.compile(
     r"(?<![A-Za-z])s\s*\}?\s*(?:⁻¹|\^\s*\{?\s*[-−]\s*1)|(?<![A-Za-z0-9])1\s*/\s*s(?![A-Za-z])"
 )

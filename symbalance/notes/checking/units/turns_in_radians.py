@@ -10,10 +10,11 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient
+from symbalance.notes.checking.units.own_units import BY_THE_SECOND
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
-_TURNS = re.compile(r"(?<![A-Za-z])(?:[kM]?Hz|rps|r\.p\.s\.|(?:rev|U|Umdr|tr|giri)\s?/\s?s)[\s}$]*$")
+_TURNS = re.compile(rf"(?<![A-Za-z]){BY_THE_SECOND}[\s}}$]*$")
 _RADIANS = re.compile(
     r"(?<![A-Za-z])rad\s*(?:(?:/|\}\{)\s*(?:\\(?:mathrm|text)\s*\{)?s|(?:\\,|\s|·)?s(?:\^\{?-1|⁻¹))[\s}$]*$"
 )

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
+from typing import NamedTuple
 
 from symbalance.text import lazy_patterns as re
 
-_NUMBER = r"(?P<degrees>[0-9]{1,3}(?:[.,][0-9]{1,2})?)"
+_NUMBER = r"(?P<{}>[0-9]{{1,3}}(?:[.,][0-9]{{1,2}})?)"
+_DEGREES = _NUMBER.format("degrees")
 _SIGN = (
     r"(?:[\s~]|\\[,;:])?(?:°|\^\s?\{?\s?\\circ\s?\}?|\\degree|-?(?:degrees?|deg\.?|Grad|degrés|grados|gradi)(?![a-z])|度)"
     r"(?:\s?(?:KW|CA|Kurbelwinkel|crank(?: angle)?)(?![a-z]))?[\s$~]*"
@@ -19,30 +21,38 @@ _TOP = (
     r"|punto\s+morto\s+superiore|punto\s+muerto\s+superior|the\s+top(?![a-z]))"
 )
 _BEHIND = re.compile(
-    rf"(?<![0-9.,]){_NUMBER}{_SIGN}(?P<way>after|past|beyond|before|ahead\s+of|nach|hinter|vor|après|avant|dopo"
+    rf"(?<![0-9.,]){_DEGREES}{_SIGN}(?P<way>after|past|beyond|before|ahead\s+of|nach|hinter|vor|après|avant|dopo"
     rf"|prima\s+d|después\s+d|antes\s+d|A(?=TDC)|B(?=TDC)|n\.\s?(?=O)|v\.\s?(?=O))(?:el|e)?\s*{_TOP}"
-    rf"|上死点(?P<later>後|前)\s?{_NUMBER.replace('degrees', 'japanese')}\s?(?:°|度)",
+    rf"|上死点(?P<later>後|前)\s?{_NUMBER.format('japanese')}\s?(?:°|度)",
     re.IGNORECASE,
 )
 _CRANK_ANGLE = re.compile(
     r"(?:(?:at|for|with)\s+(?:a|the)\s+crank(?:shaft)?\s+angle\s+of"
     r"|(?:bei|für)\s+(?:einem|dem)\s+Kurbelwinkel\s+von|à\s+un\s+angle\s+de\s+manivelle\s+de"
-    rf"|クランク角)[\s$]*{_NUMBER}{_SIGN}",
+    rf"|クランク角)[\s$]*{_DEGREES}{_SIGN}",
     re.IGNORECASE,
 )
 _BEFORE_TOP = re.compile(r"before|ahead|vor|avant|prima|antes|B|v\.|前", re.IGNORECASE)
 
 
+class CrankPlace(NamedTuple):
+    """A crank angle that words name: where they begin, the angle from the top in degrees, the words."""
+
+    start: int
+    degrees: Fraction
+    words: str
+
+
 @lru_cache(maxsize=8)
-def crank_places(text: str) -> tuple[tuple[int, Fraction, str], ...]:
-    """Return where words name a crank angle, with the angle in degrees and the words, in order.
+def crank_places(text: str) -> tuple[CrankPlace, ...]:
+    """Return the crank angles that the words of a text name, in order.
 
     >>> [(float(a), w) for _, a, w in crank_places("At 30° after TDC it is 5, at 40° before TDC 3.")]
     [(30.0, '30° after TDC'), (-40.0, '40° before TDC')]
     >>> crank_places("It turns by 30° after the start; the valve opens at 12°.")
     ()
     """
-    found: list[tuple[int, Fraction, str]] = []
+    places: list[CrankPlace] = []
     for pattern in (_BEHIND, _CRANK_ANGLE):
         for match in pattern.finditer(text):
             groups = match.groupdict()
@@ -51,5 +61,5 @@ def crank_places(text: str) -> tuple[tuple[int, Fraction, str], ...]:
             angle = Fraction(digits.replace(",", "."))
             angle = -angle if way and _BEFORE_TOP.match(way) else angle
             words = " ".join(match[0].replace("$", "").replace("^\\circ", "°").split())
-            found.append((match.start(), angle, words))
-    return tuple(sorted(found))
+            places.append(CrankPlace(match.start(), angle, words))
+    return tuple(sorted(places))

@@ -37,6 +37,11 @@ def gives_number(chain: Chain) -> bool:
     return is_plain and not names(chain.sides[1].node)
 
 
+def sets_number(chain: Chain) -> bool:
+    """Tell whether a chain does nothing but set a letter equal to a number, or about equal."""
+    return gives_number(chain) and chain.relations[0].sign in "=≈"
+
+
 def stand_in_one_list(before: Chain, after: Chain, text: str) -> bool:
     """Tell whether nothing but units, commas and words for sizes stands between two data."""
     between = text[before.end : after.start]

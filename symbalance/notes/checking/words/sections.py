@@ -317,7 +317,8 @@ class Sections:
     document: ReadNotes
 
     @cached_property
-    def _lines(self) -> list[str]:
+    def lines(self) -> list[str]:
+        """The lines of the document, the first one at place 0."""
         return self.document.text.split("\n")
 
     def _english(self, words: str) -> str:
@@ -332,15 +333,15 @@ class Sections:
     @cached_property
     def _headings(self) -> list[int]:
         """The lines, from 1, that begin a section."""
-        marked = [k for k, line in enumerate(self._lines, 1) if _HEADING.match(line.lstrip())]
+        marked = [k for k, line in enumerate(self.lines, 1) if _HEADING.match(line.lstrip())]
         underlined = [
             k
-            for k in range(1, len(self._lines))
-            if _UNDERLINE.match(self._lines[k]) and self._lines[k - 1].strip()
+            for k in range(1, len(self.lines))
+            if _UNDERLINE.match(self.lines[k]) and self.lines[k - 1].strip()
         ]
         marked += self._signed_headings
-        above = ["", *(line.strip() for line in self._lines)]
-        bare = zip(above, self._lines, strict=False)
+        above = ["", *(line.strip() for line in self.lines)]
+        bare = zip(above, self.lines, strict=False)
         marked += [
             k for k, (last, line) in enumerate(bare, 1) if not last and _CAPITALS.match(line.strip())
         ]
@@ -350,7 +351,7 @@ class Sections:
     @property
     def _signed_headings(self) -> list[int]:
         """The lines, from 1, that begin with a sign for a heading, and are no items of a list."""
-        bare = [line.strip() for line in self._lines]
+        bare = [line.strip() for line in self.lines]
         signs = [match["sign"] if (match := _SIGNED_HEADING.match(line)) else "" for line in bare]
         around = zip(
             signs,
@@ -373,7 +374,7 @@ class Sections:
         """The lines of headings that differ in an angle: Punkt φ = 30° and Punkt φ = 90°."""
         alike: dict[str, dict[str, int]] = {}
         for line in self._headings:
-            words = self._lines[line - 1].strip()
+            words = self.lines[line - 1].strip()
             for key in _angle_headed(words):
                 alike.setdefault(key, {})[words] = line
         return frozenset(line for lines in alike.values() if len(lines) > 1 for line in lines.values())
@@ -381,15 +382,15 @@ class Sections:
     def heading_above(self, line: int) -> str:
         """Return the heading of the section that a line stands in, "" where there is none."""
         above = [heading for heading in self._headings if heading <= line]
-        return self._lines[above[-1] - 1] if above else ""
+        return self.lines[above[-1] - 1] if above else ""
 
     @cached_property
     def _paragraphs(self) -> list[tuple[int, int]]:
         """The first and the last line of the paragraph of each line, from 1."""
-        starts, ends = [1], [len(self._lines)]
-        breaks = [self._is_break(line) for line in range(1, len(self._lines))]
+        starts, ends = [1], [len(self.lines)]
+        breaks = [self._is_break(line) for line in range(1, len(self.lines))]
         for line, is_break in enumerate(breaks, 2):
-            is_first = is_break or not self._lines[line - 2].strip()
+            is_first = is_break or not self.lines[line - 2].strip()
             starts.append(line if is_first else starts[-1])
         for line in range(len(breaks), 0, -1):
             ends.append(line if breaks[line - 1] else ends[-1])
@@ -447,7 +448,7 @@ class Sections:
     @cached_property
     def _line_starts(self) -> list[int]:
         """The place of each line's first character."""
-        return [0, *accumulate(len(line) + 1 for line in self._lines)]
+        return [0, *accumulate(len(line) + 1 for line in self.lines)]
 
     @cached_property
     def _engines(self) -> case_words.Mentions:
@@ -499,7 +500,7 @@ class Sections:
     def section_end(self, line: int) -> int:
         """Return the last line of the section that a line stands in."""
         place = bisect_right(self._headings, line)
-        return self._headings[place] - 1 if place < len(self._headings) else len(self._lines)
+        return self._headings[place] - 1 if place < len(self._headings) else len(self.lines)
 
     def paragraph_end(self, line: int) -> int:
         """Return the last line of the paragraph that a line stands in."""
@@ -507,7 +508,7 @@ class Sections:
 
     def _is_break(self, line: int) -> bool:
         """Tell whether a paragraph ends with a line: before a blank one, at an edge of an HTML block."""
-        above, below = self._lines[line - 1], self._lines[line]
+        above, below = self.lines[line - 1], self.lines[line]
         return not below.strip() or bool(_BLOCK_BEGINS.match(below) or _BLOCK_ENDS.search(above))
 
     def is_in_brackets(self, chain: Chain) -> bool:
@@ -525,22 +526,22 @@ class Sections:
 
     def _goes_on(self, end: int, following: int) -> bool:
         """Tell whether a paragraph belongs to the one before: a display, or what its end leads to."""
-        below = self._lines[following - 1]
-        is_open = _OPEN_END.search(self._lines[end - 1]) is not None
+        below = self.lines[following - 1]
+        is_open = _OPEN_END.search(self.lines[end - 1]) is not None
         is_formula = _FORMULA_ALONE.fullmatch(below) is not None
         return _SET_OFF.match(below) is not None or (is_formula and is_open)
 
     def moment_end(self, line: int) -> int:
         """Return the last line of the item, or else the section, that looks at one crank angle."""
-        return min(self.section_end(line), item_end(self._lines, line))
+        return min(self.section_end(line), item_end(self.lines, line))
 
     def item_of_cases(self, line: int, start: int) -> tuple[int, int] | None:
         """Return the list of cases and the end of its item that a formula at a place of a line opens."""
-        return item_of_cases(self._lines, line, start - self.start_of_line(line))
+        return item_of_cases(self.lines, line, start - self.start_of_line(line))
 
     def _next_text(self, line: int) -> int | None:
         """Return the next line that is not blank."""
-        return next((k + 1 for k in range(line, len(self._lines)) if self._lines[k].strip()), None)
+        return next((k + 1 for k in range(line, len(self.lines)) if self.lines[k].strip()), None)
 
     def premise_end(self, chain: Chain, *, is_number: bool) -> int | None:
         """Return the last line that a relation reaches if its sentence makes it a premise, else None.
@@ -550,7 +551,7 @@ class Sections:
         line = chain.lines[0]
         if line in self._engine_rows:
             return line
-        first = self._lines[self.paragraph_start(line) - 1]
+        first = self.lines[self.paragraph_start(line) - 1]
         if (chain.inline and _CAPTION.match(first)) or _IN_BRACKETS.match(first):
             return self.paragraph_end(line)
         start = chain.start
@@ -572,7 +573,7 @@ class Sections:
         """The lines, from 1, of rows that each name an engine: F_2 of one row is not that of the next."""
         rows = {
             number
-            for number, text in enumerate(self._lines, 1)
+            for number, text in enumerate(self.lines, 1)
             if text.lstrip().startswith("|")
             and case_words.ENGINE.search(text.lstrip(" \t|").split("|", 1)[0])
         }
@@ -589,7 +590,7 @@ class Sections:
         either.
         """
         start = chain.start
-        row = self._lines[chain.lines[0] - 1]
+        row = self.lines[chain.lines[0] - 1]
         text = self.document.text
         if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain):
             return True
@@ -714,7 +715,7 @@ class Sections:
     def _named_in_heading(self, line: int) -> NamedEngine | None:
         """Return the engine that the heading of a line's section names."""
         first = self.section_start(line)
-        end = self.start_of_line(first + 1) if first < len(self._lines) else len(self.document.text)
+        end = self.start_of_line(first + 1) if first < len(self.lines) else len(self.document.text)
         return self.named_engines.last_before(self.start_of_line(first), end)
 
     @cached_property
@@ -727,11 +728,11 @@ class Sections:
         has its formula in the same column of both; or items of one list, with a case before a colon.
         """
         line = chain.lines[0]
-        rows = [self._lines[n - 1] for n in (earlier_line, line)]
+        rows = [self.lines[n - 1] for n in (earlier_line, line)]
         labels = [match["label"].strip() for row in rows if (match := _LABELLED_ITEM.match(row))]
         if len(labels) == len(rows):  # * 45°: β = 315°, and below * 60°: β = 300°
             return earlier_line < line and labels[0] != labels[1]
-        between = self._lines[earlier_line - 1 : line]
+        between = self.lines[earlier_line - 1 : line]
         if earlier_line >= line or not all(row.lstrip().startswith("|") for row in between):
             return False
         first, second = (row.split("|")[1].strip() for row in rows)
@@ -762,7 +763,7 @@ class Sections:
 
     def is_labelled_item(self, line: int) -> bool:
         """Tell whether a line is an item of a list that begins with the angle that it is for."""
-        return _LABELLED_ITEM.match(self._lines[line - 1]) is not None
+        return _LABELLED_ITEM.match(self.lines[line - 1]) is not None
 
     def names_another_case(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's own words name other strokes, another engine, another row's case."""
@@ -770,7 +771,7 @@ class Sections:
             return True
         if self._is_in_cell_of_another_engine(chain, earlier_line):
             return True
-        end = self.start_of_line(earlier_line + 1) if earlier_line < len(self._lines) else chain.start
+        end = self.start_of_line(earlier_line + 1) if earlier_line < len(self.lines) else chain.start
         starts = self._by_start[0]
         place = bisect_left(starts, min(chain.start, end))
         earlier = max(self.start_of_line(earlier_line), starts[place - 1] if place else 0)
@@ -966,7 +967,7 @@ class Sections:
     def looks_back(self, chain: Chain, line: int) -> bool:
         """Tell whether a relation is said of a place that the paragraph before names: the speed there."""
         start = self.paragraph_start(chain.lines[0])
-        above = next((n for n in range(start - 1, 0, -1) if self._lines[n - 1].strip()), 0)
+        above = next((n for n in range(start - 1, 0, -1) if self.lines[n - 1].strip()), 0)
         if not above or not self.paragraph_start(above) <= line < start:
             return False
         return (
@@ -1084,8 +1085,8 @@ class Sections:
         """Tell whether the words of a relation's paragraph name a letter as any: for a bank angle 2γ."""
         line = chain.lines[0]
         first = self.paragraph_start(line)
-        while first > 1 and _SET_OFF.match(self._lines[first - 1]):  # the words above a display
-            above = next((n for n in range(first - 1, 0, -1) if self._lines[n - 1].strip()), 0)
+        while first > 1 and _SET_OFF.match(self.lines[first - 1]):  # the words above a display
+            above = next((n for n in range(first - 1, 0, -1) if self.lines[n - 1].strip()), 0)
             if not above:
                 break
             first = self.paragraph_start(above)
@@ -1122,7 +1123,7 @@ class Sections:
     def same_exercise(self, first: int, second: int) -> bool:
         """Tell whether neither a heading nor a numbered line begins between two lines: "10. Torque"."""
         low, high = sorted((first, second))
-        numbered = any(_NUMBERED.match(line) for line in self._lines[low:high])
+        numbered = any(_NUMBERED.match(line) for line in self.lines[low:high])
         return self.same_section(first, second) and not numbered
 
     def paragraph_start(self, line: int) -> int:

@@ -43,6 +43,8 @@ _BOTH = re.compile(
 )
 _COMPARISON = re.compile(rf"(?:{COMPARED})[^,.:;!?。、]*", re.IGNORECASE)
 _SENTENCE = re.compile(r"(?<!^[0-9])(?<!\s[0-9])[.!?]\s|[;。；]|\n\s*\n")
+ALL = -1
+"""Of which number words speak that speak of all of them."""
 REACH, MOST, SENTENCES = 200, 6, 2
 """Characters before a number, words before it, and sentences before a relation that are looked at."""
 
@@ -52,7 +54,7 @@ def number_spoken_of(
 ) -> int | None:
     """Return which of several numbers of a letter the words before a relation are about.
 
-    None where they tell none; -1 where they are about all of them. `now` is the one in force.
+    None where they tell none; `ALL` where they are about all of them. `now` is the one in force.
     """
     leads = [_lead_of(sections, text, giver) for giver in givers]
     own = [lead.difference(*(leads[:n] + leads[n + 1 :])) for n, lead in enumerate(leads)]
@@ -61,7 +63,7 @@ def number_spoken_of(
     first = max(givers[now].end, sections.start_of_line(sections.section_start(chain.lines[0])))
     for k, sentence in enumerate(reversed(_sentences(sections, text, first, chain))):
         if not k and _BOTH.search(sentence):
-            return -1
+            return ALL
         words = _tokens(_COMPARISON.sub(" ", sentence))
         named = {n for n, each in enumerate(own) if each & words}
         if named:

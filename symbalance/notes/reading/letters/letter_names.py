@@ -49,6 +49,16 @@ _INITIALS = re.compile(r"[A-Z]\.(?:[ ]?[A-Z]\.){1,4}")
 """An abbreviation with points, T.E., which a page sets equal to something."""
 
 
+def letter_of_initials(text: str) -> str:
+    """Return an abbreviation with points as one letter: I.H.P. as I_{HP}.
+
+    >>> letter_of_initials("I.H.P.")
+    'I_{HP}'
+    """
+    first, *others = re.findall("[A-Z]", text)
+    return f"{first}_{{{''.join(others)}}}"
+
+
 def canonical_name(text: str) -> str:
     r"""Return the canonical name of a letter written in LaTeX, Unicode or plain text.
 
@@ -65,8 +75,7 @@ def canonical_name(text: str) -> str:
     if _CANONICAL.fullmatch(bare):
         return bare
     if _INITIALS.fullmatch(bare):
-        first, *rest = re.findall("[A-Z]", bare)
-        return f"{first}_{''.join(rest)}"
+        return canonical_name(letter_of_initials(bare))
     if listed := _LISTED_BELOW.fullmatch(bare):
         return canonical_name(f"{listed[1]}_{{{listed[2]}}}{listed[3]}")
     base, stop = _base(bare)

@@ -6,6 +6,7 @@ equals sign. Behind a number they are units, and stay.
 
 from __future__ import annotations
 
+from symbalance.notes.reading.letters.letter_names import letter_of_initials
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.text import lazy_patterns as re
 
@@ -29,9 +30,8 @@ def with_points_left_out(text: str) -> Rewritten | None:
     changes: dict[int, tuple[int, str]] = {}
     for pattern in (_INITIALS, _BEHIND_OPERATOR):
         for match in pattern.finditer(text):
-            letters = re.findall("[A-Z]", match[0])
             tail = " " if match[0].endswith(" ") else ""
-            changes[match.start()] = (match.end(), f"{letters[0]}_{{{''.join(letters[1:])}}}{tail}")
+            changes[match.start()] = (match.end(), f"{letter_of_initials(match[0])}{tail}")
     for match in _WORDS.finditer(text):
         for point in re.finditer(r"\.", match[0]):
             place = match.start() + point.start()

@@ -29,6 +29,7 @@ _SHORT = dict.fromkeys(words("kg mm cm dm km um g mg s ms N kN MN J kJ W kW Pa k
 _TURNS = word_set("rev revs r U Umdr tr giri turns")
 """What stands before /min for a revolution, in some languages: rpm, as one unit."""
 _RATES: dict[tuple[tuple[str, int], ...], str] = {(("min", -1),): "rpm", (("s", -1),): "rps"}
+"""The speeds that a revolution with one of these behind it is: rev/min and rev/s."""
 _NUMBER = re.compile(
     r"(?P<sign>[-+−–]?)(?P<digits>[0-9][0-9 ~]*(?:[.,][0-9 ]*[0-9])?|[.,][0-9]+)?"
     r"(?:[eEdD](?P<power>[-+−]?[0-9]{1,3}))?"

@@ -295,8 +295,9 @@ class ItemFinder:
             start = first = number.end()
         if len(_LISTED.findall(self.text, start, end)) > 1:
             pattern += f"|{_LISTED.pattern}"
-        columns = _NEXT_COLUMN.pattern if self.kind != "tex" else "(?!)"
-        for match in re.finditer(f"{pattern}|{columns}", self.text[start:end]):
+        if self.kind != "tex":
+            pattern += f"|{_NEXT_COLUMN.pattern}"
+        for match in re.finditer(pattern, self.text[start:end]):
             is_column = match[0].isspace() and len(match[0]) > 1
             if is_column and not has_relation(self.text, first, start + match.start()):
                 continue
