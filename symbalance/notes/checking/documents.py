@@ -24,6 +24,7 @@ from symbalance.notes.checking.declared.fuller_wordings import with_fuller_roles
 from symbalance.notes.checking.declared.sidecar import (
     Declarations,
     Letter,
+    UnreadLetter,
     declarations_in,
     parse_sidecar,
     read_sidecar,
@@ -46,7 +47,7 @@ from symbalance.notes.checking.page.time_letters import with_time
 from symbalance.notes.checking.page.whole_letters import with_whole_letters
 from symbalance.notes.checking.reports.written_assumptions import with_cells, with_written_assumptions
 from symbalance.notes.checking.units.angles_per_turn import with_turns_divided
-from symbalance.notes.checking.verdicts import MOST_LETTERS, UNDECLARED, Checked
+from symbalance.notes.checking.verdicts import DECLARES_NOTHING, MOST_LETTERS, UNDECLARED, Checked
 from symbalance.notes.checking.words.bare_degrees import with_bare_degrees
 from symbalance.notes.checking.words.degrees_without_sign import judge_in_one_unit_of_angle
 from symbalance.notes.checking.words.glossary import glossary_of
@@ -117,7 +118,7 @@ def check(
     declarations, text = declarations_of(document, symbols, text, name)
     declarations = declarations.without_imaginary_unit()
     provider = engines or NoEngines()
-    remarks: list[Words] = []
+    remarks: list[Words] = [_unread(each) for each in declarations.unread]
     is_declared = declarations.is_declared
     if accept_proposals:
         if not is_declared:
@@ -152,12 +153,17 @@ def check(
     checked = with_cells(with_written_assumptions(checked))
     if not is_declared and not accept_proposals and (offer := _offer(checked, name)):
         remarks.append(offer)
-    return replace(checked, remarks=tuple(remarks))
+    return replace(checked, remarks=tuple(remarks), unread_letters=len(declarations.unread))
 
 
 def page_letters(page: ReadNotes) -> frozenset[str]:
     """Return the letters that stand in a page's formulas."""
     return frozenset(name for chain in page.chains for side in chain.sides for name in names(side.node))
+
+
+def _unread(letter: UnreadLetter) -> Words:
+    """Return what a report says first of a line of the symbols file that declares nothing."""
+    return (Strong(DECLARES_NOTHING), f"{letter.place}: {letter.rule}; {letter.remedy}.")
 
 
 def _acceptance(declarations: Declarations) -> list[Words]:

@@ -41,6 +41,8 @@ FAILING = (*BAD, UNREADABLE)
 """What a document that is right throughout has none of; the unreadable may be forgiven."""
 UNDECLARED = re.compile(r"letter (\S+) is not declared")
 """In the reason of what is unreadable: the letter that nobody has given a meaning."""
+DECLARES_NOTHING = "Declares nothing: "
+"""Before a report's remark on a line of the symbols file that names no letter."""
 TO_ITS_RIGHT = "the relation to its right"
 """Begins the reason of an arrow that fails because the relation it leads to does: that one is listed."""
 MOST_LETTERS = 12
@@ -178,6 +180,8 @@ class Checked(Result):
     verdicts: tuple[Verdict, ...]
     remarks: tuple[Words, ...] = ()
     """What a reader must know before the verdicts: what they rest on, what is still to be declared."""
+    unread_letters: int = 0
+    """How many lines of the symbols file declare nothing, as what they name is no letter."""
 
     kind: ClassVar[str] = "check"
 
@@ -223,7 +227,8 @@ class Checked(Result):
         """
         failing = BAD if lenient else FAILING
         is_judged = any(v.verdict != UNREADABLE for v in self.verdicts)
-        return not is_judged or any(v.verdict in failing for v in self.verdicts)
+        is_unread = bool(self.unread_letters) and not lenient
+        return not is_judged or is_unread or any(v.verdict in failing for v in self.verdicts)
 
     @property
     def relation_count(self) -> int:

@@ -8,7 +8,8 @@
 Behind a question mark, `s = "? stroke"`, a meaning is proposed and not confirmed: s is just a letter. A
 scope or a binding with `proposed = true` plays no part.
 
-Unknown keys are errors; every refusal names the file and the line.
+Unknown keys are errors; every refusal names the file and the line. What stands in [symbols] and is no
+letter, as `"|x|"`, declares nothing: the report says so, and the exit code.
 
 The declarations may stand at the head of the document itself instead, as a comment that comes first:
 
@@ -28,7 +29,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from symbalance.notes.checking.declared.role_phrases import USUAL
 from symbalance.notes.checking.declared.symbol_roles import KNOWN, letters_by_role, misspelt_role
@@ -175,6 +176,14 @@ class Binding:
         return ", ".join(parts[:-1]) + (" " if self.engine else ", " if parts[:-1] else "") + parts[-1]
 
 
+class UnreadLetter(NamedTuple):
+    """What [symbols] gives a meaning and is no letter: its line declares nothing."""
+
+    place: str
+    rule: str
+    remedy: str
+
+
 @dataclass(frozen=True, slots=True)
 class Declarations:
     """All that is declared about a document."""
@@ -186,6 +195,7 @@ class Declarations:
     proposed_scopes: tuple[Scope, ...] = ()
     proposed_bindings: tuple[Binding, ...] = ()
     """What is proposed and not confirmed, which nothing is judged by."""
+    unread: tuple[UnreadLetter, ...] = ()
 
     @property
     def is_declared(self) -> bool:
@@ -243,7 +253,8 @@ class Declarations:
 
     def below(self, other: Declarations) -> Declarations:
         """Return the declarations with the letters of `other` added that these do not declare."""
-        return replace(self, symbols={**other.symbols, **self.symbols})
+        unread = (*self.unread, *other.unread)
+        return replace(self, symbols={**other.symbols, **self.symbols}, unread=unread)
 
     def symbols_at(self, line: int) -> dict[str, str]:
         """Return the letters declared for a line; later scopes override earlier ones."""
@@ -291,16 +302,19 @@ def declarations_in(symbols: Mapping[str, Any], letter: Letter = canonical_name)
 
 
 def _declarations(file: Section, letter: Letter) -> Declarations:
-    scopes = tuple(_scope(table, letter) for table in file.sections("scope"))
+    unread: list[UnreadLetter] = []
+    scopes = tuple(_scope(table, letter, unread) for table in file.sections("scope"))
     bindings = tuple(Binding(**table.values(), place=table.place()) for table in file.sections("bind"))
     usual = {canonical_name(usual): text for usual, text in USUAL.get(file.value("letters"), {}).items()}
+    symbols = usual | _symbols(file.section("symbols"), letter, unread)
     return Declarations(
-        usual | _symbols(file.section("symbols"), letter),
+        symbols,
         tuple(scope for scope in scopes if not scope.proposed),
         tuple(binding for binding in bindings if not binding.proposed),
         file.source.place,
         tuple(scope for scope in scopes if scope.proposed),
         tuple(binding for binding in bindings if binding.proposed),
+        tuple(unread),
     )
 
 
@@ -308,7 +322,8 @@ def _confirmed(symbols: Mapping[str, str]) -> dict[str, str]:
     return {name: text.removeprefix(PROPOSED).strip() for name, text in symbols.items()}
 
 
-def _symbols(table: Section, letter: Letter) -> dict[str, str]:
+def _symbols(table: Section, letter: Letter, unread: list[UnreadLetter]) -> dict[str, str]:
+    """Return the meanings of a table by letter; what is no letter goes to `unread`."""
     meanings: dict[str, str] = {}
     for spelling, meaning in table.values().items():
         try:
@@ -316,7 +331,9 @@ def _symbols(table: Section, letter: Letter) -> dict[str, str]:
         except ReadingError as problem:
             name = _product(spelling, letter)
             if not name:
-                raise table.refusal(spelling, problem.what, "write one letter") from None
+                remedy = problem.remedy or "write one letter"
+                unread.append(UnreadLetter(table.place(spelling), problem.what, remedy))
+                continue
         if meanings.get(name, meaning.strip()) != meaning.strip():
             raise table.refusal(spelling, "is declared twice", "keep one line of it")
         nearest = misspelt_role(meaning)
@@ -339,11 +356,11 @@ def _product(spelling: str, letter: Letter) -> str:
         return ""
 
 
-def _scope(table: Section, letter: Letter) -> Scope:
+def _scope(table: Section, letter: Letter, unread: list[UnreadLetter]) -> Scope:
     first, last = table.value("lines")
     if first > last:
         raise table.refusal("lines", "must go upwards", "write lines = [10, 20]")
-    symbols = _symbols(table.section("symbols"), letter)
+    symbols = _symbols(table.section("symbols"), letter, unread)
     return Scope(first, last, symbols, tuple(table.value("given") or ()), bool(table.value("proposed")))
 
 

@@ -31,6 +31,7 @@ from symbalance.errors import printable
 from symbalance.notes.checking.reports.typeset_relations import formula_of
 from symbalance.notes.checking.verdicts import (
     CONTRADICTION,
+    DECLARES_NOTHING,
     FAILING,
     MOST_LETTERS,
     PROVED_WORDS,
@@ -136,6 +137,7 @@ class DocumentTable(Result):
             self.summary(),
             blocks(
                 Paragraph(undeclared) if undeclared else None,
+                *map(Paragraph, self._unread_letters()),
                 table,
                 *map(Paragraph, copies),
                 *self._tables_of_errors(),
@@ -168,6 +170,14 @@ class DocumentTable(Result):
             Code("symbalance check FOLDER/ --declare -o FOLDER/symbols.toml"),
             ", and confirm what it proposes.",
         )
+
+    def _unread_letters(self) -> list[Words]:
+        """Return each line of a symbols file that declares nothing, once for all documents it is of."""
+        said = (row.report.get("remarks", ()) for row in self.rows if row.report is not None)
+        lines = dict.fromkeys(
+            each for remarks in said for each in remarks if each.startswith(DECLARES_NOTHING)
+        )
+        return [(Strong(DECLARES_NOTHING), each.removeprefix(DECLARES_NOTHING)) for each in lines]
 
     def _copies(self) -> list[Words]:
         """Return which documents have the same relations on the same lines, as copies have."""
