@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property
 
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import ACCENTS, plain_letter
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import OTHER_LENGTHS, ROLES
+from symbalance.notes.checking.meant.said_behind import all_said_behind, heads_of, shortest_head_of
 from symbalance.text import lazy_patterns as re
 
 UNITS_ONLY = re.compile(r"variable|positive|constant|[^\w]*|[A-Za-z°µ%/^*·0-9² ³⁴⁻¹-]{0,9}")
@@ -187,9 +188,14 @@ class LetterRoles:
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
         """Return the roles that words before a letter name, and whether they name another length."""
         if letter not in self._named:
-            before = {_without_place(words) for words in self.words_before(letter)}
+            behind = set(self._said_behind.values())
+            words_of = set(self.words_before(letter))
+            before, names = {_without_place(words) for words in words_of - behind}, words_of & behind
             roles = {
-                name for name, each in ROLES.items() if any(ends_with(each.words, w) for w in before)
+                name
+                for name, each in ROLES.items()
+                if any(ends_with(each.words, w) for w in before)
+                or any(_is_noun_of(each.words, w) for w in names)
             }
             if end := self._end_of_rod(letter):
                 roles = (roles - {"near", "far"}) | {end}
@@ -221,6 +227,14 @@ class LetterRoles:
         is_multiple = not is_named and re.search(multiple, self.text) is not None
         return is_multiple or re.search(part, self.text) is not None
 
+    @cached_property
+    def _said_behind(self) -> dict[int, str]:
+        """By the place of a letter in the text: what is known of its name behind it, or its noun."""
+        return {
+            each.start: next(filter(_is_known, heads_of(each.words)), shortest_head_of(each.words))
+            for each in all_said_behind(self.text)
+        }
+
     def words_before(self, letter: str) -> list[str]:
         """Return the few words before each place where a letter stands in the text, or what it is said
         to be behind it.
@@ -245,6 +259,9 @@ class LetterRoles:
                 listed = _LISTED.match(behind) if words.rstrip().endswith(",") else None
                 follows = _IS.match(behind) or apposed or listed
                 phrase = _LINKS.sub("", _FIRST_OF_TWO.sub(r"\1", words))
+                if (said := self._said_behind.get(match.start())) is not None:
+                    phrases.append(said)
+                    continue
                 if follows is None and _NEXT_IN_LIST.search(words):
                     continue
                 if ":" in words[len(phrase) :] and not _is_of_letter(phrase, letter):
@@ -265,6 +282,21 @@ def _without_place(words: str) -> str:
     """
     shorter = _WHERE.sub("", words)
     return shorter if ends_with(ROLES["any_force"].words, shorter) else words
+
+
+def _is_known(name: str) -> bool:
+    """Tell whether a name is that of a role."""
+    return any(_is_noun_of(role.words, name) for role in ROLES.values())
+
+
+def _is_noun_of(words: re.Pattern[str], name: str) -> bool:
+    """Tell whether a name ends with one of the words, which its noun begins or lies in.
+
+    >>> [_is_noun_of(re.compile(words), "angle of the rod") for words in ("rod", "angle of the rod")]
+    [False, True]
+    """
+    match = _at_end(words).search(name) if words.search(name) is not None else None
+    return match is not None and match.start() < len(shortest_head_of(name))
 
 
 def _is_whole_size(roles: frozenset[str], role: str) -> bool:
