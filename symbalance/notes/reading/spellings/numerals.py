@@ -103,7 +103,7 @@ _SPELLED = (
     ("inch^3", r"cu(?:bic|\.)? ?in(?:ches|\.|(?![a-z]))"),
     ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch", r"in\.(?=\s*(?:[=≈]|\\approx))|inch(?:es)?|Zoll"
-     r"|in(?=\s*(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),
+     r"|in(?=[ \t]?(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),  # two blanks: a LaTeX reference
     ("kgf", "kg[ -]?force|kilogram(?:me)?[ -]force|kg[ -]weight|kilopond"),
     ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés?|grad[io]|grados?|° ?(?:KW|CA|crank)|deg ?CA"),
@@ -658,7 +658,7 @@ def _unit_behind(words: str, after: str) -> tuple[str, int]:
     ends = [m.start() for m in re.finditer(r" |\\,|~", words)]
     for end in [len(words), *reversed(ends)]:
         unit = _SPACE_IN_UNIT.sub(" ", words[:end]).replace("$", "")
-        if unit in ("°", "%", "\\%") or (unit == "in" and after == "."):
+        if unit in ("°", "%", "\\%") or (unit == "in" and after == "." and end == len(words)):
             return unit, end
         if scale_of(unit) is not None and not _ENDS_IN_WORD.search(unit):
             return unit, end
