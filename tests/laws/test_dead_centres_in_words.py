@@ -15,7 +15,18 @@ PISTON = (
     "a = -r ω² (cos φ + λ cos 2φ) mit dem Kurbelwinkel φ.\n\n"
 )
 
+LOCOMOTIVE = (
+    "Der Winkel w der Kurbel zählt von der vorderen Totlage, r ist der Kurbelhalbmesser. In der Mitte"
+    " des Hubes, w = 90 Grad,\nist es anders. Die Beschleunigung ist mit"
+    " r = 0,33 m, l = 2,20 m und u^2 = 787,3\n\n"
+    "    p = r u^2 (cos w + (r/l) cos 2w) ,\n\n"
+)
+
 CASES = [
+    (LOCOMOTIVE + "in der vorderen Totlage p = 0,33 * 787,3 * 1,15.", "conditional"),
+    (LOCOMOTIVE + "in der vorderen Totlage p = 0,33 * 787,3 * 0,85.", "refuted"),
+    (LOCOMOTIVE + "in der hinteren Totlage p = -0,33 * 787,3 * 0,85.", "conditional"),
+    (LOCOMOTIVE + "in der hinteren Totlage p = -0,33 * 787,3 * 1,15.", "refuted"),
     (FORCE + "At the top dead centre this becomes\n\n    F = F₁ (1 + r/l).", "conditional"),
     (FORCE + "At the top dead centre this becomes\n\n    F = F₁ (1 - r/l).", "refuted"),
     (FORCE + "and at the bottom, numerically, F = F₁ (1 - r/l).", "conditional"),

@@ -13,6 +13,8 @@ WORDS = [
     "To a first approximation {} = {}.",
     "Näherungsweise ist {} = {}.",
     "近似的に {} = {} となる。",
+    "In the two-term formula {} = {}.",
+    "Avec deux termes {} = {}.",
 ]
 SIDES = [("√(1 - λ² sin² θ)", "1 - ½ λ² sin² θ", "1 + ½ λ² sin² θ"), ("1/(1 - λ)", "1 + λ", "1 - λ")]
 
@@ -42,3 +44,20 @@ def test_what_follows_from_a_rough_relation_is_rough_too(tmp_path):
         words.append(check(page, fixes=False).verdicts[-1].verdict)
     assert words[0] == "conditional"
     assert words[1] in ("refuted", "undecided")
+
+
+MOTION = (
+    "With $q = r/L$ the displacement of the piston at the crank angle $\\theta$ is\n"
+    "$$s = r(1-\\cos\\theta) + L(1-\\cos\\phi),\\qquad \\cos\\phi = \\sqrt{1-q^2\\sin^2\\theta}.$$\n\n"
+)
+AT_PLACE = [
+    ("At $\\theta = 90^\\circ$ it is $s = r(1+q/2)$ in the two-term formula.", "conditional"),
+    ("At $\\theta = 90^\\circ$ it is $s = r(1+q/3)$ in the two-term formula.", "refuted"),
+    ("At $\\theta = 90^\\circ$ it is $s = r(1-q/2)$, approximately.", "refuted"),
+    ("At $\\theta = 90^\\circ$ it is $s = r(1+q/2)$ exactly.", "refuted"),
+]
+
+
+@pytest.mark.parametrize(("words", "verdict"), AT_PLACE)
+def test_a_value_at_an_angle_may_be_rough_too(words, verdict):
+    assert check(MOTION + words + "\n", fixes=False).verdicts[-1].verdict == verdict

@@ -45,6 +45,14 @@ _PUT_OFF = (
     r"^(?:the |constant |rated |mittlere |konstante )",
     r"(?:の|)(?:下向き正|中心間)",
 )
+_ANGULAR = frozenset({"omega", "Omega"})
+"""Letters whose speed of rotation is in radians."""
+_ROTATION = re.compile(
+    r"rotation(?:al)? speed|speed of rotation|vitesse de rotation|(?:Dreh|Rotations)geschwindigkeit"
+    r"|velocità di rotazione|velocidad de (?:giro|rotación)|回転速度|回転の速さ",
+    re.IGNORECASE,
+)
+_BY_MINUTE = re.compile(r"\b(?:rpm|tr|turns?|revolutions?|giri|U/min|min)\b|毎分", re.IGNORECASE)
 _RATIO_WORDS = re.compile(r"ratio|verhältnis|rapport|rapporto|比|^[rl](?:/| over )[rl]$", re.IGNORECASE)
 
 
@@ -55,7 +63,7 @@ def with_fuller_roles(declarations: Declarations, english: Callable[[str], str])
     """
 
     def stated(symbols: Mapping[str, str]) -> dict[str, str]:
-        fuller = {name: _with_role(text, english) for name, text in symbols.items()}
+        fuller = {name: _with_role(name, text, english) for name, text in symbols.items()}
         if CRANK_ANGLE in {*map(role_of, fuller.values()), *map(role_of, declarations.symbols.values())}:
             return fuller
         # the motion of an angle that is not said would be of another letter than the page's
@@ -65,11 +73,13 @@ def with_fuller_roles(declarations: Declarations, english: Callable[[str], str])
     return replace(declarations, symbols=stated(declarations.symbols), scopes=scopes)
 
 
-def _with_role(text: str, english: Callable[[str], str]) -> str:
+def _with_role(name: str, text: str, english: Callable[[str], str]) -> str:
     role = role_of(text)
     if role in KNOWN or HARMONIC.match(role) or text.startswith(PROPOSED):
         return text
     role = fuller_role(text) or fuller_role(english(text))
+    if not role and name in _ANGULAR and _ROTATION.search(text) and not _BY_MINUTE.search(text):
+        role = "angular speed"
     return f"{role}, {text}" if role else text
 
 

@@ -28,9 +28,11 @@ ROUGH_WORDS = re.compile(
     r"\b(?:nearly|approximat\w+|roughly|neglect\w*|ignoring|disregarding|accurate enough|close enough"
     r"|sufficient(?:ly)? (?:accura\w+|exact\w*)|to (?:a |the )?(?:first|second|good|close) approximation"
     r"|to (?:the )?(?:first|second|lowest|leading) order|for (?:a )?(?:long|small|large)"
+    r"|(?:one|two|three|few)[- ]terms?|first (?:two|three) terms|zweigliedrig\w*|dreigliedrig\w*"
+    r"|deux termes|due termini|dos términos"
     r"|näherung\w*|annäher\w+|angenähert\w*|genähert\w*|vernachlässig\w*|genau genug|hinreichend genau"
     r"|environ|approximativ\w+|approché\w*|à peu près|sensiblement|en néglige\w+|on néglige"
-    r"|approssim\w+|trascura\w+|aproximad\w+|despreci\w+)\b|近似|無視|ほぼ|省略",
+    r"|approssim\w+|trascura\w+|aproximad\w+|despreci\w+)\b|近似|無視|ほぼ|省略|二項(?:式|まで)",
     re.IGNORECASE,
 )
 _RATIOS = frozenset({"lambda", "epsilon", "varepsilon", "mu", "rho"})
@@ -47,7 +49,7 @@ def decide_as_rough(
     right = chain.sides[k + 1]
     if chain.relations[k].sign != "=" or not names(right.node):
         return decision
-    is_said = _is_said(state, chain)
+    is_said = is_said_roughly(state, chain)
     if not is_said and not _follows_rough(state, chain):
         return decision
     there = decide(chain.sides[k], right, "≈", knowledge)
@@ -83,7 +85,7 @@ def _keeps_more(there: Decision, right: Side, name: str, knowledge: Knowledge) -
         return True
 
 
-def _is_said(state: JudgingState, chain: Chain) -> bool:
+def is_said_roughly(state: JudgingState, chain: Chain) -> bool:
     """Tell whether the words of a relation's sentence say that it is rough."""
     behind = _SENTENCE_ENDS.split(state.document.text[chain.end : chain.end + BEHIND])[0]
     before = f"{state.sections.sentence_leading_to(chain)} {state.sections.sentence_before(chain)}"

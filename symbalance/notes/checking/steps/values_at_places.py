@@ -25,8 +25,9 @@ from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
-from symbalance.notes.checking.deciding.relations import decide_at_value
+from symbalance.notes.checking.deciding.relations import MEANT_ROUGHLY, decide_at_value
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.meant_roughly import is_said_roughly
 from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
@@ -59,7 +60,10 @@ def value_at_named_place(
         reason = f"{text}, which words name, it has another value: wrong, or of something else"
         return Decision(UNDECIDED, reason)
     if names(right.node) and there.status == REFUTED:
-        return replace(there, reason=text)
+        is_rough = chain.relations[0].sign == "=" and is_said_roughly(state, chain)
+        rough = decide_at_value(motion, right, "≈", freer, theta, angle) if is_rough else there
+        as_meant = replace(rough, assumptions=(*rough.assumptions, text), reason=MEANT_ROUGHLY)
+        return as_meant if rough.is_proved else replace(there, reason=text)
     values = {n: d.node for n, d in rest.items()}
     unknown = {*names_behind(formula, values)} - values.keys() - {theta}
     is_number = there.left is not None and not letters(there.left)  # 2 m cos 90°, whatever m is

@@ -107,8 +107,8 @@ _EQUATION = re.compile(
 )
 """Before something that is to vanish."""
 _ONLY_IF = re.compile(
-    r"(?<![^\W\d_])(?:only\s+(?:if|when|for)|iff|exactly\s+(?:if|when)|unless|provided(?:\s+that)?|nur(?:\s+dann)?,?\s+wenn"
-    r"|genau\s+dann[^.;=]{0,30}wenn|sofern|seulement\s+si|si\s+et\s+seulement\s+si|sólo\s+si|solo\s+se|se\s+e\s+solo\s+se)"
+    r"(?<![^\W\d_])(?:only\s+(?:if|when|where|while|for|as\s+long\s+as)|iff|exactly\s+(?:if|when)|unless|provided(?:\s+that)?|nur(?:\s+dann)?,?\s+(?:wenn|wo)"
+    r"|nur\s+für|solange|genau\s+dann[^.;=]{0,30}wenn|sofern|seulement\s+si|si\s+et\s+seulement\s+si|sólo\s+si|solo\s+se|se\s+e\s+solo\s+se)"
     r"[\s$\\(\[]*$",
     re.IGNORECASE,
 )
@@ -269,8 +269,10 @@ _ROOTS_BEHIND = re.compile(
     re.IGNORECASE,
 )
 """Behind one whose roots are named next."""
-_TOP = r"(?:top|inner|upper|oberen?r?|inneren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|上死点"
-_BOTTOM = r"(?:bottom|outer|lower|unteren?r?|äußeren?)\s+(?:dead\s+cent(?:re|er)s?|Totpunkte?s?)|下死点"
+_DEAD = r"\s+(?:dead[\s-](?:cent(?:re|er)|point|position)s?|Totpunkte?s?|Totlagen?)"
+_TOP = rf"(?:top|inner|upper|front|oberen?r?|inneren?r?|vorderen?r?){_DEAD}|上死点"
+_BOTTOM = rf"(?:bottom|outer|lower|back|rear|unteren?r?|äußeren?r?|hinteren?r?){_DEAD}|下死点"
+"""Of an engine that lies, a locomotive's, the front one is its top."""
 _SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
 _DEAD_CENTRE = re.compile(
     rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
