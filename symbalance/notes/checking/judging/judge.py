@@ -100,6 +100,7 @@ from symbalance.notes.checking.steps.ended_cases import (
     letters_of_ended,
     unless_of_ended_case,
 )
+from symbalance.notes.checking.steps.expanded_determinants import unless_another_polynomial
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.formula_one_slip_away import (
@@ -141,6 +142,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 )
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
+from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
@@ -422,6 +424,8 @@ class Judge:
         verdict = unless_of_ended_case(self.state, chain, k, verdict)
         verdict = unless_no_extreme(self.state, chain, k, verdict)
         verdict = unless_roughly_known(self.state, chain, k, verdict)
+        verdict = unless_no_root(self.state, chain, k, verdict)
+        verdict = unless_another_polynomial(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
 
     def _with_rate_assumed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
