@@ -70,7 +70,8 @@ _LEADS = re.compile(
 )
 """Words that lead from an equation to its roots."""
 _SILENT = re.compile(
-    r"(?:[\s$,.;:&()\[\]|]|\\[,;:! \[\]()\\]|\\(?:q?quad|hspace\{[^{}]*\}|text(?=\{)|mathrm(?=\{))(?![A-Za-z])"
+    r"(?:[\s$,.;:&()\[\]|]|\\[,;:! \[\]()\\]"
+    r"|\\(?:q?quad|hspace\{[^{}]*\}|text(?=\{)|mathrm(?=\{))(?![A-Za-z])"
     r"|[{}]"
     r"|\\(?:begin|end)\{(?:equation|align|aligned|gather|gathered)\*?\}"
     r"|(?<![^\W\d_])(?:and|or|und|oder|et|ou|e|o|y|bzw\.?|resp\.?)(?![^\W\d_])|および|または|と|、|。)*+"
