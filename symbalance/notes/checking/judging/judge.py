@@ -103,6 +103,7 @@ from symbalance.notes.checking.steps.ended_cases import (
 from symbalance.notes.checking.steps.expanded_determinants import unless_another_polynomial
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
+from symbalance.notes.checking.steps.forced_motions import unless_no_forced_motion
 from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
@@ -425,6 +426,7 @@ class Judge:
         verdict = unless_no_extreme(self.state, chain, k, verdict)
         verdict = unless_roughly_known(self.state, chain, k, verdict)
         verdict = unless_no_root(self.state, chain, k, verdict)
+        verdict = unless_no_forced_motion(self.state, chain, k, verdict)
         verdict = unless_another_polynomial(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
 

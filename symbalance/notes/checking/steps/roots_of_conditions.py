@@ -81,13 +81,15 @@ _APART = re.compile(
     r"(?<![^\W\d_])(?:approx\w*|rough\w*|nearly|small|large|weak\w*|strong\w*|limit\w*|uncoupled|special|if|when|unless|where"
     r"|abbreviat\w*|denot\w*|define\w*|let|set(?:ting)?|called|instead|without|not|never|wrong\w*|other\s+than|näherung\w*|genähert"
     r"|etwa|klein\w*|groß\w*|schwach\w*|ungekoppelt\w*|falls|wenn|wobei|worin|abkürzung\w*|setze\w*|ohne|nicht|kein\w*"
-    r"|environ|petit\w*|grand\w*|faible\w*|où|notons|posons|pose|avec|ne|non|dove|poniamo|circa|donde|sea|pongamos"
+    r"|environ|petit\w*|grand\w*|faible\w*|où|notons|posons|pose|ne|non|dove|poniamo|circa|donde|sea|pongamos"
     r"|driv\w*|excit\w*|forcing|operat\w*|running|reference|erreg\w*|anreg\w*|betrieb\w*|bezug\w*|referenz\w*|exploitation"
     r"|average|mean|sum|product|difference|mittel\w*|summe|differenz|produkt|somme|produit)(?![^\W\d_])"
     r"|≈|≪|≫|\\approx|\\ll|\\gg|\\to(?![A-Za-z])|→|近似|ただし|ここで|とおく|ない",
     re.IGNORECASE,
 )
 """Words of what is no root of the equation as it stands."""
+_BESIDE = re.compile(r"(?<![^\W\d_])(?:with|mit|avec|con)[\s$\\(\[]*$", re.IGNORECASE)
+"""A word right before what may be an abbreviation."""
 
 
 def unless_no_root(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -98,9 +100,8 @@ def unless_no_root(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
     if found is None:
         return verdict
     equation, letter, leading = found
-    if is_said_apart(leading) or not (
-        ROOTS.search(leading) or _LEADS.search(leading) or _SILENT.fullmatch(leading)
-    ):
+    is_root = ROOTS.search(leading) or (_LEADS.search(leading) and not _BESIDE.search(leading))
+    if is_said_apart(leading) or not (is_root or _SILENT.fullmatch(leading)):
         return verdict
     decision = _decide_root(state, chain, equation, letter, is_square=unknown[1])
     if decision is None or (decision.is_proved and verdict.verdict in PROVED_WORDS):
