@@ -109,6 +109,7 @@ from symbalance.notes.checking.steps.formula_one_slip_away import (
     number_of_a_formula_one_slip_away,
 )
 from symbalance.notes.checking.steps.gravity import GRAVITY_UNIT, stands_for_gravity
+from symbalance.notes.checking.steps.impossible_ranges import unless_impossible
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -118,6 +119,7 @@ from symbalance.notes.checking.steps.letters_said_anew import (
     leave_letter_said_anew,
 )
 from symbalance.notes.checking.steps.letters_said_to_vary import unless_said_to_vary
+from symbalance.notes.checking.steps.listed_roots import unless_wrong_in_list
 from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
@@ -425,7 +427,9 @@ class Judge:
         verdict = unless_of_ended_case(self.state, chain, k, verdict)
         verdict = unless_no_extreme(self.state, chain, k, verdict)
         verdict = unless_roughly_known(self.state, chain, k, verdict)
+        verdict = unless_impossible(self.state, chain, k, verdict)
         verdict = unless_no_root(self.state, chain, k, verdict)
+        verdict = unless_wrong_in_list(self.state, chain, k, verdict)
         verdict = unless_no_forced_motion(self.state, chain, k, verdict)
         verdict = unless_another_polynomial(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
@@ -566,6 +570,7 @@ class Judge:
         if self._is_of_all_values(chain, k):
             self.state.general |= _turned(chain.sides[k].node)
         self.state.general |= self._ranges_of_all_values(chain) | letters_of_ended(self.state, chain)
+        self.state.general |= self._claimed_always(chain, k)
         if not k and self.state.sections.is_called_identity(chain):
             self.state.general |= chain.letters
         examples = lines_of_numbers(self.state.definitions, self.state.general)
@@ -635,6 +640,17 @@ class Judge:
         before = text[max(0, last.start - LONGEST_PLACE * 2) : last.start]
         is_of_all = is_range and speaks_of_every(before)
         return last.letters if is_of_all and leads_to_claim(text[last.end : chain.start]) else frozenset()
+
+    def _claimed_always(self, chain: Chain, k: int) -> frozenset[str]:
+        """Return the letters of an inequality that is said to be so always: always y² ≥ 1.
+
+        Of different letters on its sides it may be what a machine is built for: always l > 2r.
+        """
+        left, right = (names(side.node) for side in chain.sides[k : k + 2])
+        is_of_same = len(left | right) == 1 or left == right
+        if chain.relations[k].sign not in SATISFIED_BY or not is_of_same:
+            return frozenset()
+        return left | right if self.state.sections.is_said_always(chain) else frozenset()
 
     def _unless_between_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""
