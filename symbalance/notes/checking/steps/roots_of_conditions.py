@@ -41,7 +41,13 @@ from symbalance.notes.checking.premises.angles_at import solves_as_printed
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.named_roots import FARTHEST, ROOTS
-from symbalance.notes.checking.verdicts import CONTRADICTION, PROVED_WORDS, Verdict
+from symbalance.notes.checking.verdicts import (
+    CONDITIONAL,
+    CONTRADICTION,
+    HOLDS,
+    HOLDS_TO_ORDER,
+    Verdict,
+)
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -104,7 +110,8 @@ def unless_no_root(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
     if is_said_apart(leading) or not (is_root or _SILENT.fullmatch(leading)):
         return verdict
     decision = _decide_root(state, chain, equation, letter, is_square=unknown[1])
-    if decision is None or (decision.is_proved and verdict.verdict in PROVED_WORDS):
+    is_proved = verdict.verdict in (HOLDS, HOLDS_TO_ORDER)
+    if decision is None or is_proved or (decision.is_proved and verdict.verdict == CONDITIONAL):
         return verdict
     if decision.status == REFUTED and isinstance(head := chain.sides[0].node, Name):
         state.definitions.forget(head.name, chain.lines[0])
@@ -143,9 +150,11 @@ def _equation_above(
     for other in sorted(above, key=lambda c: c.start, reverse=True):
         if chain.start - other.end > FARTHEST or not state.sections.same_section(other.lines[0], line):
             return None
-        words = f"{text[other.end : place]} {words}"
-        place = other.start
+        between = text[other.end : place]
+        words, place = f"{between} {words}", other.start
         if _is_root_of(other, unknowns):
+            if not (_SILENT.fullmatch(between) or ROOTS.search(between) or _LEADS.search(between)):
+                return None  # "the makers use k = 0.6"
             continue
         left = _with_identity(state, other, other.sides[-2].node)
         right = other.sides[-1].node
@@ -155,7 +164,8 @@ def _equation_above(
             angular = [n for n in own if _ANGULAR.fullmatch(n)]
             if letter is None and stem in _COUNTED and unknowns & {name, stem} and len(angular) == 1:
                 letter = angular[0]
-            if letter is not None and _is_polynomial(left, letter):
+            is_wrong = any(side.span[0] in state.refuted for side in other.sides[1:])
+            if letter is not None and _is_polynomial(left, letter) and not is_wrong:
                 return (left, right, other.lines[0]), letter, words
             return None
         if not all(isinstance(side.node, Name) for side in other.sides[:-1]):
