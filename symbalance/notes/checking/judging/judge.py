@@ -108,7 +108,11 @@ from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
 )
-from symbalance.notes.checking.steps.gravity import GRAVITY_UNIT, stands_for_gravity
+from symbalance.notes.checking.steps.gravity import (
+    GRAVITY_UNIT,
+    has_unit_of_gravity,
+    stands_for_gravity,
+)
 from symbalance.notes.checking.steps.impossible_ranges import unless_impossible
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
@@ -166,6 +170,7 @@ from symbalance.notes.checking.units.plain_letters import PlainLetters
 from symbalance.notes.checking.units.rates_by_name import rate_dimension, turns_for_radians
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
+from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
 from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -923,19 +928,41 @@ class Judge:
         self, chain: Chain, k: int, against: int, knowledge: Knowledge
     ) -> dict[tuple[int, int], Mismatch | None]:
         """Return for each two readings of two sides where their units differ, None where they do not."""
-        values = {name: _value_with_units(d) for name, d in knowledge.definitions.items()}
-        symbols = self.declarations.symbols_at(chain.lines[0])
-        if stands_for_gravity(chain, k, knowledge):
-            symbols = {**symbols, "g": GRAVITY_UNIT}
-        rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
-        plain = self._plain_letters.at(chain.lines[0])
-        dimensions = Dimensions(symbols, values, self.document.text, rounded, plain)
+        dimensions = self._dimensions(chain, k, knowledge)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
         return {
             (m, n): dimensions.mismatch(first, second, sources)
             for (m, first), (n, second) in product(enumerate(left.readings), enumerate(right.readings))
         }
+
+    def _dimensions(self, chain: Chain, k: int, knowledge: Knowledge) -> Dimensions:
+        """Return the dimensions of the letters at a relation."""
+        values = {name: _value_with_units(d) for name, d in knowledge.definitions.items()}
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        if stands_for_gravity(chain, k, knowledge):
+            symbols = {**symbols, "g": GRAVITY_UNIT}
+        elif has_unit_of_gravity(chain, self.document.text, knowledge):
+            symbols = {**symbols, "g": GRAVITY_UNIT}
+            values = {name: value for name, value in values.items() if name != "g"}
+        rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
+        plain = self._plain_letters.at(chain.lines[0])
+        return Dimensions(symbols, values, self.document.text, rounded, plain)
+
+    def _unlike_unit_behind(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a formula that words behind it say to be in another unit: √(g/δ) in m/s."""
+        right = chain.sides[k + 1]
+        if k + 1 < len(chain.relations) or not names(right.node) or chain.relations[k].sign not in "=≈":
+            return None
+        named = unit_behind_formula(self.document.text, chain.end)
+        if named is None:
+            return None
+        own = self._dimensions(chain, k, knowledge).side(right.node, self.document.source(right.span))
+        if own is None or own == named:
+            return None
+        mismatch = Mismatch("the formula is in", own, named)
+        witness = {"left": unit_text(own), "right": unit_text(named)}
+        return Decision(REFUTED, mismatch.reason, witness=witness)
 
     def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
         """Refute a relation whose sides, or terms, are in different units."""
@@ -944,6 +971,8 @@ class Judge:
             return Decision(REFUTED, unlike[0])
         if (of_rate := self._unlike_unit(chain, k)) is not None:
             return of_rate
+        if against == k and (by_words := self._unlike_unit_behind(chain, k, knowledge)) is not None:
+            return by_words
         converted = decide_conversion(chain, k, self.document) if against == k else None
         if converted is not None and converted.is_proved:
             return None  # 17.9 lb.-in. is 206 kg mm, or a moment
