@@ -149,6 +149,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 )
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
+from symbalance.notes.checking.steps.rival_cases import RivalCases
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
@@ -159,6 +160,7 @@ from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
+from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -235,6 +237,8 @@ class Judge:
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.exercises = OwnExercises(self.document)
         self.table_rows = TableRows(self.document)
+        self.rivals = RivalCases(self.document)
+        self.supposed = SupposedNumbers()
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
 
@@ -251,7 +255,10 @@ class Judge:
             return_to_case(self.state, chain)
             leave_ended_cases(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
+            self.rivals.enter(self.state, chain)
+            self.supposed.enter(self.state, chain)
             verdicts += self.chain(chain, chain_binds)
+            self.rivals.leave(self.state, chain)
         for binding in (b for rest in bindings.values() for b in rest):
             if not assertions.name_unreadable(verdicts, self.document, binding):
                 missing_equation = partial(assertions.missing_equation, self.document, binding)
@@ -427,7 +434,8 @@ class Judge:
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
-        verdict = unless_closed(self.state, chain, k, verdict)
+        if not self.rivals.are_beside(chain):
+            verdict = unless_closed(self.state, chain, k, verdict)
         verdict = unless_said_to_vary(self.state, chain, k, verdict)
         verdict = unless_of_ended_case(self.state, chain, k, verdict)
         verdict = unless_no_extreme(self.state, chain, k, verdict)
