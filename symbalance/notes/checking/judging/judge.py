@@ -143,6 +143,7 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.own_row import by_own_row
+from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
 from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
@@ -441,6 +442,7 @@ class Judge:
         verdict = unless_no_extreme(self.state, chain, k, verdict)
         verdict = unless_roughly_known(self.state, chain, k, verdict)
         verdict = unless_impossible(self.state, chain, k, verdict)
+        verdict = unless_rate_of_ratio(self.state, chain, k, verdict)
         verdict = unless_no_root(self.state, chain, k, verdict)
         verdict = unless_wrong_in_list(self.state, chain, k, verdict)
         verdict = unless_no_forced_motion(self.state, chain, k, verdict)
