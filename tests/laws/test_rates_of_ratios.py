@@ -11,8 +11,8 @@ PAGES = [
         "\\omega/2",
     ),
     (
-        "The cam angle is $\\varphi = \\theta/2$ where $\\theta$ is the crank angle and $\\omega$ the angular "
-        "speed of the crank. Then $\\dot\\varphi = SPEED$.\n",
+        "The cam angle is $\\varphi = \\theta/2$ where $\\theta$ is the crank angle and $\\omega$ the "
+        "angular speed of the crank. Then $\\dot\\varphi = SPEED$.\n",
         "\\omega",
         "\\omega/2",
     ),
