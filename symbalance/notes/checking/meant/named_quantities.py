@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from math import isclose
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
@@ -54,9 +55,21 @@ from symbalance.notes.checking.meant.claims_in_letters import (
     without_plus_minus,
 )
 from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
-from symbalance.notes.checking.meant.formula_slips import agrees, differs, is_multiple, slip_of
+from symbalance.notes.checking.meant.formula_slips import (
+    agrees,
+    differs,
+    factor_of,
+    is_multiple,
+    slip_of,
+)
 from symbalance.notes.checking.meant.left_sides import LETTER, as_side, end_named, head_of
 from symbalance.notes.checking.meant.letter_roles import LetterRoles, index_of, stem_of
+from symbalance.notes.checking.meant.letter_units import (
+    LetterUnits,
+    Numbers,
+    between_quantities,
+    numbers_of,
+)
 from symbalance.notes.checking.meant.letters_otherwise import are_otherwise
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
@@ -95,6 +108,8 @@ _SETTING = re.compile(
     r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
     r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
     r"|\b(?:brake |indicated )?mean (?:effective |indicated )*(?:effective )?pressure"
+    r"|\bmean (?:piston |angular )?(?:speed|velocity)|mittlere[rnms]? (?:kolben|winkel)geschwindigkeit"
+    r"|mittlere[rnms]? drehzahl|平均(?:ピストン|角)?(?:速度|スピード)|平均回転(?:数|速度)"
     r"|mittlere[rnms]? (?:\w+ )?(?:arbeits|nutz|innen|kolben)?druck|(?:正味|図示)?平均有効圧力?"
     r"|pression (?:effective )?moyenne(?: effective)?"
     r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|umdrehungen|drehzahlen|point masses"
@@ -155,6 +170,13 @@ _ROD_FORCE = re.compile(
 """Words for the force in the rod, whose letter may be any that a force has."""
 _OF_MINUTES = (30, 60, 120)
 """Numbers that turn revolutions or cycles of a second into those of a minute."""
+_MANY, _ROUGH = 100, 5e-4
+"""A number of so many digits that it may be rounded, and how far."""
+_WITHOUT_UNIT = (
+    "cylinders", "efficiency", "ratio", "slenderness", "order", "fluctuation", "compression", "share",
+    "crank_angle", "turned_angle",
+)  # fmt: skip
+"""Roles of numbers that have no unit."""
 _FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
 
 
@@ -164,6 +186,13 @@ class NamedQuantities:
 
     document: ReadNotes
     sections: Sections
+    numbers: Numbers | None = None
+    """The units of the letters of the formula that is judged, where words give them."""
+
+    @cached_property
+    def units(self) -> LetterUnits:
+        """The units that words give letters."""
+        return LetterUnits(self.document)
 
     @cached_property
     def page(self) -> str:
@@ -292,6 +321,7 @@ class NamedQuantities:
     ) -> Verdict | Decision | None:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
+        self.numbers = self._numbers(chain, name, claim, knowledge)
         left = LETTER if " " in name else chain.sides[0].node
         candidates = [
             replace(each, left=left, end=self._end(chain))
@@ -307,7 +337,9 @@ class NamedQuantities:
         ]
         for named, target in pairs:
             if not decimals(claim) and not agrees(target, claim):
-                continue  # a proof costs more than a comparison
+                if self.numbers is None or not _is_rounded(target, claim):
+                    continue  # a proof costs more than a comparison
+                sign = "≈"
             decision = decide(Side((target,), side.span), side, sign, known)
             is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
             if decision.is_proved and not decision.order:
@@ -347,6 +379,19 @@ class NamedQuantities:
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
+
+    def _numbers(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
+    ) -> Numbers | None:
+        """Return the units that words give the letters of a formula; None where none of them matters."""
+        if " " in name:
+            return None
+        without = [
+            n
+            for n in names(claim)
+            if any(self.roles.may_be(n, role, knowledge.meanings) for role in _WITHOUT_UNIT)
+        ]
+        return numbers_of(self.units, chain, name, names(claim), without)
 
     def _is_changed(
         self, chain: Chain, name: str, claim: Formula, named: Named, knowledge: Knowledge
@@ -509,12 +554,15 @@ class NamedQuantities:
             put_in = (substitute(f, cylinders.name, Number(Fraction(count))) for f in formulas)
             formulas = (*formulas, *(f for f in put_in if f not in formulas))
         formulas = (*self._counted(named.quantity, formulas, claim, name, knowledge), *formulas)
+        if self.numbers is not None and self.numbers.has_rate:
+            formulas = between_quantities(named.quantity, formulas)
         every = self.stated.with_numbers(formulas, named.quantity.stated)
         shaped = tuple(as_side(named.left, formula) for formula in every)
         head = name
         if ("", "own_inertia") in together and not index_of(name):
             head = f"{name}_{named.end}"
-        return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
+        targets = list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
+        return targets if self.numbers is None else [self.numbers.converted(each) for each in targets]
 
     def _counted(
         self,
@@ -572,6 +620,11 @@ class NamedQuantities:
         mistakes = self._mistakes(named, claim, name, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
         is_other = not is_mistake and any(agrees(other, claim) for other in others)
+        if self.numbers is not None and not self.numbers.is_whole:
+            numbers, self.numbers = self.numbers, None  # it may be one between quantities
+            plain = self._targets(quantity.formulas, claim, name, named, knowledge)
+            self.numbers = numbers
+            is_other |= any(agrees(each, claim) for each in plain)
         if is_other or _has_complement(claim, knowledge):
             return None
         count = named.cylinders
@@ -600,7 +653,11 @@ class NamedQuantities:
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
             kind = slip_of(target, claim, slips, is_part)
-            if not kind and is_mistake and not (is_part and is_multiple(target, claim)) and not is_scaled:
+            is_of_units = self.numbers is not None and self.numbers.is_whole and not is_scaled
+            if not kind and is_of_units and is_multiple(target, claim) and not _is_rounded(target, claim):
+                kind = "" if is_part else "change of units"
+            is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
+            if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
             if not kind or (is_scaled and kind == "one change"):
                 continue
@@ -663,6 +720,13 @@ class NamedQuantities:
 
         verdict = describe(self.document, chain, 0, decision)
         return add_fix(verdict, self.document, side, decision, known, proves)
+
+
+def _is_rounded(target: Formula, claim: Formula) -> bool:
+    """Tell whether a formula is another one but for the last digits of its number: 9549 P/n."""
+    factor = factor_of(target, claim)
+    has_number = any(isinstance(p, Number) and abs(p.value) >= _MANY for p in walk(claim))
+    return factor is not None and has_number and isclose(factor, 1, rel_tol=_ROUGH)
 
 
 def _may_be_power(letter: str) -> bool:
