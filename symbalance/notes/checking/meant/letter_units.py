@@ -51,6 +51,7 @@ _OF_HEAD = re.compile(
     re.IGNORECASE,
 )
 """Right before a formula: the power in kW is, die Leistung (in kW) beträgt."""
+_LETTER_BEFORE = re.compile(r"(?:\$|(?<![^\W_])[^\W\d_](?:_\w{1,4})?)\s*,?\s*\(?$")
 _BY_MINUTE = re.compile(PER_MINUTE, re.IGNORECASE)
 _BY_SECOND = re.compile(
     r"(?:rev(?:olution)?s?|turns|umdrehungen|tours|giri|vueltas|revoluciones|r|U|tr)\s?(?:/|per|pro|par|por|al)\s?"
@@ -104,7 +105,9 @@ class LetterUnits:
             return own
         before = self.text[max(0, chain.start - _HEAD) : chain.start].rstrip(" \t\n$\\[({&")
         match = next(iter(_OF_HEAD.finditer(before)), None)
-        return None if match is None else _unit(match["unit"], chain.start)
+        if match is None or _LETTER_BEFORE.search(before[: match.start()]):
+            return None  # the speed n in rpm: it is not what stands behind that is in rpm
+        return _unit(match["unit"], chain.start)
 
     def _is_apart(self, place: int, chain: Chain) -> bool:
         """Tell whether a paragraph with other words stands between a place and a relation."""
@@ -121,8 +124,10 @@ class Numbers:
     head: Fraction
     is_whole: bool
     """Whether all its letters have one."""
+    rates: frozenset[str]
+    """Those that are speeds of rotation, in revolutions."""
     has_rate: bool
-    """Whether a speed of rotation is among them, or is what it is of."""
+    """Whether there is one, or it is the formula of one."""
 
     def converted(self, target: Formula) -> Formula:
         """Return a formula between quantities as one between their numbers."""
@@ -154,7 +159,8 @@ def numbers_of(
     missing = set(own) - stated.keys() - set(without)
     is_whole = head is not None and not missing
     scales = {n: unit.scale for n, unit in stated.items()}
-    return Numbers(scales, Fraction(1) if head is None else head.scale, is_whole, bool(rates) or is_of_rate)
+    scale = Fraction(1) if head is None else head.scale
+    return Numbers(scales, scale, is_whole, frozenset(rates), bool(rates) or is_of_rate)
 
 
 def between_quantities(quantity: Quantity, formulas: tuple[Formula, ...]) -> tuple[Formula, ...]:

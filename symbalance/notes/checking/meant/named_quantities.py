@@ -17,7 +17,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from math import isclose
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import (
@@ -38,7 +37,13 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.cases import NO_POINT
 from symbalance.notes.checking.deciding.descriptions import describe
-from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    without_dots,
+)
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
@@ -160,6 +165,13 @@ _ENGINE_SIZE = re.compile(
     re.IGNORECASE,
 )
 """The number of an engine's cylinders, which its formulas take as it is."""
+_OF_ALL = re.compile(r"\btotal|\bwhole|\bentire|\bgesamt|\bengine['’]?s?\b|総|全|motor", re.IGNORECASE)
+_COUNTED_BY_LETTER = re.compile(
+    r"\$\\?[A-Za-z](?:_\{?\w{1,4}\}?)?\$[- ](?:cylinder|zylinder|cylindre|cilindr)|(?:number of cylinders|zylinderzahl"
+    r"|anzahl der zylinder|(?:シリンダ|気筒)数を?)\s?\$?[A-Za-z]\b|\$[A-Za-z]\$\s?気筒",
+    re.IGNORECASE,
+)
+"""Words for all cylinders of an engine, and for a letter that is their number."""
 _SINGLE = re.compile("single|ein[^ s]|mono|単", re.IGNORECASE)
 """The name of an engine of one cylinder, and no words of one cylinder of an engine."""
 _ROD_FORCE = re.compile(
@@ -170,8 +182,9 @@ _ROD_FORCE = re.compile(
 """Words for the force in the rod, whose letter may be any that a force has."""
 _OF_MINUTES = (30, 60, 120)
 """Numbers that turn revolutions or cycles of a second into those of a minute."""
-_MANY, _ROUGH = 100, 5e-4
-"""A number of so many digits that it may be rounded, and how far."""
+_MANY, _FEWEST_DIGITS = 100, 3
+"""A number of so many digits that it may be rounded."""
+_ANGULAR = ("omega", "omega_high", "omega_low")
 _WITHOUT_UNIT = (
     "cylinders", "efficiency", "ratio", "slenderness", "order", "fluctuation", "compression", "share",
     "crank_angle", "turned_angle",
@@ -339,7 +352,10 @@ class NamedQuantities:
             if not decimals(claim) and not agrees(target, claim):
                 if self.numbers is None or not _is_rounded(target, claim):
                     continue  # a proof costs more than a comparison
-                sign = "≈"
+                if self._is_changed(chain, name, claim, named, knowledge):
+                    return None
+                text = f"its number is rounded, of {formula_text(target)}"
+                return Decision(PROVED, assumptions=(self.text(name, named), text))
             decision = decide(Side((target,), side.span), side, sign, known)
             is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
             if decision.is_proved and not decision.order:
@@ -373,6 +389,8 @@ class NamedQuantities:
             by_form = self._by_form(chain, name, claim, knowledge, known) if is_unnamed else None
             return by_form or self._by_dimension(chain, name, claim, knowledge)
         (named,) = fitting.values()
+        if self._is_one_of_all(chain, name, claim, named, knowledge):
+            return None
         if named.quantity.turns and self.counts_from_elsewhere:
             return None
         self.words.words_above.setdefault(name, named.words)
@@ -404,6 +422,8 @@ class NamedQuantities:
             knowledge.meanings.get(name, "") if named.is_declared else self.words.sentence_before(chain)
         )
         formulas = (*named.quantity.formulas, *named.quantity.approximate)
+        if self._is_one_of_all(chain, name, claim, named, knowledge):
+            return True
         of_all = tuple(node for node in formulas if cylinders.name in names(node))
         of_one = tuple(node for node in formulas if cylinders.name not in names(node))
         if of_all and not any(
@@ -418,6 +438,18 @@ class NamedQuantities:
             is_by_minute=any(isinstance(p, Number) and p.value in _OF_MINUTES for p in walk(claim)),
         )
         return is_changed(text, named.words, traits)
+
+    def _is_one_of_all(
+        self, chain: Chain, name: str, claim: Formula, named: Named, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether a formula is one cylinder's, where words ask for all of $z$ cylinders."""
+        of_all = [node for node in named.quantity.formulas if _is_times_cylinders(node)]
+        of_all = [node for node in of_all if cylinders.name in names(node) and "volume" not in names(node)]
+        text = self.words.glossary.english(self.words.sentence_before(chain))
+        if not of_all or not _OF_ALL.search(text) or not _COUNTED_BY_LETTER.search(text):
+            return False
+        of_one = tuple(substitute(node, cylinders.name, Number(Fraction(1))) for node in of_all)
+        return any(agrees(each, claim) for each in self._shaped(of_one, claim, name, named, knowledge))
 
     def _shaped(
         self,
@@ -561,8 +593,13 @@ class NamedQuantities:
         head = name
         if ("", "own_inertia") in together and not index_of(name):
             head = f"{name}_{named.end}"
-        targets = list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
-        return targets if self.numbers is None else [self.numbers.converted(each) for each in targets]
+        if self.numbers is None:
+            return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
+        return [
+            self.numbers.converted(target)
+            for target, pairs in self.roles.readings(shaped, claim, knowledge.meanings, together, head)
+            if not any(pairs.get(role) in self.numbers.rates for role in _ANGULAR)  # n in min⁻¹ is no ω
+        ]
 
     def _counted(
         self,
@@ -654,8 +691,12 @@ class NamedQuantities:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
             kind = slip_of(target, claim, slips, is_part)
             is_of_units = self.numbers is not None and self.numbers.is_whole and not is_scaled
-            if not kind and is_of_units and is_multiple(target, claim) and not _is_rounded(target, claim):
-                kind = "" if is_part else "change of units"
+            if not kind and is_of_units and not is_part and not _is_rounded(target, claim):
+                is_changed = is_multiple(target, claim)
+                is_changed |= any(
+                    is_multiple(each, claim) and not is_multiple(each, target) for each in mistakes
+                )
+                kind = "change of units" if is_changed else ""
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
             if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
@@ -723,10 +764,14 @@ class NamedQuantities:
 
 
 def _is_rounded(target: Formula, claim: Formula) -> bool:
-    """Tell whether a formula is another one but for the last digits of its number: 9549 P/n."""
+    """Tell whether a formula is another one but for the last digit of its number: 9549 P/n, 9550 P/n."""
     factor = factor_of(target, claim)
-    has_number = any(isinstance(p, Number) and abs(p.value) >= _MANY for p in walk(claim))
-    return factor is not None and has_number and isclose(factor, 1, rel_tol=_ROUGH)
+    numbers = [abs(p.value) for p in walk(claim) if isinstance(p, Number) and abs(p.value) >= _MANY]
+    if factor is None or len(numbers) != 1 or numbers[0].denominator != 1:
+        return False
+    digits = str(numbers[0]).rstrip("0")
+    unit = 10 ** (len(str(numbers[0])) - len(digits))
+    return len(digits) >= _FEWEST_DIGITS and abs(numbers[0] / factor - numbers[0]) <= Fraction(unit, 2)
 
 
 def _may_be_power(letter: str) -> bool:

@@ -137,9 +137,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "force of gas and mass on the piston", letters("F P R K Q"),
         words(r"(?:resultant|resulting|total|net|effective)\s+(?:piston\s+)?(?:force|effort|load|thrust)"
               r"(?:\s+on\s+the\s+piston)?", r"force\s+(?:resultant|total)e?",
-              r"piston\s+(?:effort|force|load)", r"force\s+(?:acting\s+)?on\s+the\s+piston",
-              r"(?:resultierende|gesamte?|wirksame)[nrs]?\s*(?:kolben)?kraft", r"kolbenkraft",
-              r"ピストン(?:に(?:働|作用)く|にかかる)?(?:合)?力", r"合力"),
+              r"piston\s+effort", r"(?:resultierende|gesamte?|wirksame)[nrs]?\s*(?:kolben)?kraft", r"合力"),
         (), ("edit",), approximate=tuple(gas - _MASS_FORCE * wave for gas in _GAS for wave in _WAVES),
         mistakes=tuple(
             node
