@@ -28,6 +28,7 @@ from symbalance.notes.checking.units.stated_units import (
     StatedUnit,
     stated_unit,
 )
+from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
@@ -51,6 +52,12 @@ _OF_HEAD = re.compile(
     re.IGNORECASE,
 )
 """Right before a formula: the power in kW is, die Leistung (in kW) beträgt."""
+_OF_SUBJECT = re.compile(
+    rf"[^\W\d_]{{4,}}\)?\s+(?:\(|\[)?(?:in|en)\s+(?={UNIT_SIGNS})[^$=\n,;:]{{1,20}}?[)\]]?\s+"
+    r"(?:is|are|ist|beträgt|wird|lautet|est|vaut|è|vale|es)\b",
+    re.IGNORECASE,
+)
+"""What a sentence is of: the piston speed in m/s is, with the stroke s in mm, …"""
 _LETTER_BEFORE = re.compile(r"(?:\$|(?<![^\W_])[^\W\d_](?:_\w{1,4})?)\s*,?\s*\(?$")
 _BY_MINUTE = re.compile(PER_MINUTE, re.IGNORECASE)
 _BY_SECOND = re.compile(
@@ -105,9 +112,11 @@ class LetterUnits:
             return own
         before = self.text[max(0, chain.start - _HEAD) : chain.start].rstrip(" \t\n$\\[({&")
         match = next(iter(_OF_HEAD.finditer(before)), None)
-        if match is None or _LETTER_BEFORE.search(before[: match.start()]):
-            return None  # the speed n in rpm: it is not what stands behind that is in rpm
-        return _unit(match["unit"], chain.start)
+        if match is not None and not _LETTER_BEFORE.search(before[: match.start()]):
+            return _unit(match["unit"], chain.start)  # and of the speed n in rpm it is not what is behind
+        sentence = SENTENCE_END.split(self.text[max(0, chain.start - _BEFORE) : chain.start])[-1]
+        subject = next(iter(_OF_SUBJECT.finditer(sentence)), None)
+        return None if subject is None else _unit(subject["unit"], chain.start)
 
     def _is_apart(self, place: int, chain: Chain) -> bool:
         """Tell whether a paragraph with other words stands between a place and a relation."""
@@ -128,6 +137,12 @@ class Numbers:
     """Those that are speeds of rotation, in revolutions."""
     has_rate: bool
     """Whether there is one, or it is the formula of one."""
+
+    @property
+    def is_mixed(self) -> bool:
+        """Whether revolutions per minute stand with millimetres or the like, and not all is known."""
+        others = [s for n, s in self.scales.items() if n not in self.rates]
+        return self.has_rate and not self.is_whole and any(scale != 1 for scale in others)
 
     def converted(self, target: Formula) -> Formula:
         """Return a formula between quantities as one between their numbers."""

@@ -113,7 +113,7 @@ _SETTING = re.compile(
     r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
     r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
     r"|\b(?:brake |indicated )?mean (?:effective |indicated )*(?:effective )?pressure"
-    r"|\bmean (?:piston |angular )?(?:speed|velocity)|mittlere[rnms]? (?:kolben|winkel)geschwindigkeit"
+    r"|\bmean (?:piston(?! pressure)|angular|speed|velocity)|mittlere[rnms]? (?:kolben|winkel)(?!druck)(?:gesch\w*)?"
     r"|mittlere[rnms]? drehzahl|平均(?:ピストン|角)?(?:速度|スピード)|平均回転(?:数|速度)"
     r"|mittlere[rnms]? (?:\w+ )?(?:arbeits|nutz|innen|kolben)?druck|(?:正味|図示)?平均有効圧力?"
     r"|pression (?:effective )?moyenne(?: effective)?"
@@ -165,7 +165,7 @@ _ENGINE_SIZE = re.compile(
     re.IGNORECASE,
 )
 """The number of an engine's cylinders, which its formulas take as it is."""
-_OF_ALL = re.compile(r"\btotal|\bwhole|\bentire|\bgesamt|\bengine['’]?s?\b|総|全|motor", re.IGNORECASE)
+_OF_ALL = re.compile(r"\btotal|\bwhole|\bentire|\bgesamt|総|全", re.IGNORECASE)
 _COUNTED_BY_LETTER = re.compile(
     r"\$\\?[A-Za-z](?:_\{?\w{1,4}\}?)?\$[- ](?:cylinder|zylinder|cylindre|cilindr)|(?:number of cylinders|zylinderzahl"
     r"|anzahl der zylinder|(?:シリンダ|気筒)数を?)\s?\$?[A-Za-z]\b|\$[A-Za-z]\$\s?気筒",
@@ -335,6 +335,8 @@ class NamedQuantities:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         side = chain.sides[1]
         self.numbers = self._numbers(chain, name, claim, knowledge)
+        if self.numbers is not None and self.numbers.is_mixed:
+            return None
         left = LETTER if " " in name else chain.sides[0].node
         candidates = [
             replace(each, left=left, end=self._end(chain))
