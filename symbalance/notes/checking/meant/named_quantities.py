@@ -113,7 +113,8 @@ _SETTING = re.compile(
     r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
     r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
     r"|\b(?:brake |indicated )?mean (?:effective |indicated )*(?:effective )?pressure"
-    r"|\bmean (?:piston(?! pressure)|angular|speed|velocity)|mittlere[rnms]? (?:kolben|winkel)(?!druck)(?:gesch\w*)?"
+    r"|\bmean (?:piston(?! pressure)|angular|speed|velocity)|mittlere[rnms]? (?:kolben"
+    r"|winkel)(?!druck)(?:gesch\w*)?"
     r"|mittlere[rnms]? drehzahl|平均(?:ピストン|角)?(?:速度|スピード)|平均回転(?:数|速度)"
     r"|mittlere[rnms]? (?:\w+ )?(?:arbeits|nutz|innen|kolben)?druck|(?:正味|図示)?平均有効圧力?"
     r"|pression (?:effective )?moyenne(?: effective)?"
@@ -167,7 +168,8 @@ _ENGINE_SIZE = re.compile(
 """The number of an engine's cylinders, which its formulas take as it is."""
 _OF_ALL = re.compile(r"\btotal|\bwhole|\bentire|\bgesamt|総|全", re.IGNORECASE)
 _COUNTED_BY_LETTER = re.compile(
-    r"\$\\?[A-Za-z](?:_\{?\w{1,4}\}?)?\$[- ](?:cylinder|zylinder|cylindre|cilindr)|(?:number of cylinders|zylinderzahl"
+    r"\$\\?[A-Za-z](?:_\{?\w{1,4}\}?)?\$[- ](?:cylinder|zylinder|cylindre|cilindr)"
+    r"|(?:number of cylinders|zylinderzahl"
     r"|anzahl der zylinder|(?:シリンダ|気筒)数を?)\s?\$?[A-Za-z]\b|\$[A-Za-z]\$\s?気筒",
     re.IGNORECASE,
 )
@@ -286,14 +288,23 @@ class NamedQuantities:
     ) -> Verdict | Decision | None:
         """Return the verdict on a formula as it stands, or else with the products above put in."""
         outcome = self._share_of_plane(chain, name, claim)
-        outcome = outcome or self._judge(chain, name, claim, knowledge)
+        outcome = outcome or self._judge_in_units(chain, name, claim, knowledge)
         if outcome is not None:
             return outcome
         whole = with_sizes(claim, knowledge)
         if whole == claim or len(names(whole)) > MOST_LETTERS or name in names(whole):
             return None
         sides = (chain.sides[0], Side((whole,), chain.sides[1].span), *chain.sides[2:])
-        return self._judge(replace(chain, sides=sides), name, whole, knowledge)
+        return self._judge_in_units(replace(chain, sides=sides), name, whole, knowledge)
+
+    def _judge_in_units(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a formula with the units that words give its letters."""
+        self.numbers = self._numbers(chain, name, claim, knowledge)
+        if self.numbers is not None and self.numbers.is_mixed:
+            return None
+        return self._judge(chain, name, claim, knowledge)
 
     def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a letter's formula where its clause names it of something else.
@@ -333,10 +344,6 @@ class NamedQuantities:
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
     ) -> Verdict | Decision | None:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
-        side = chain.sides[1]
-        self.numbers = self._numbers(chain, name, claim, knowledge)
-        if self.numbers is not None and self.numbers.is_mixed:
-            return None
         left = LETTER if " " in name else chain.sides[0].node
         candidates = [
             replace(each, left=left, end=self._end(chain))
@@ -350,26 +357,10 @@ class NamedQuantities:
             for named in candidates
             for target in self._targets(named.formulas_for(sign), claim, name, named, knowledge)
         ]
-        for named, target in pairs:
-            if not decimals(claim) and not agrees(target, claim):
-                if self.numbers is None or not _is_rounded(target, claim):
-                    continue  # a proof costs more than a comparison
-                if self._is_changed(chain, name, claim, named, knowledge):
-                    return None
-                text = f"its number is rounded, of {formula_text(target)}"
-                return Decision(PROVED, assumptions=(self.text(name, named), text))
-            decision = decide(Side((target,), side.span), side, sign, known)
-            is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
-            if decision.is_proved and not decision.order:
-                if self._is_changed(chain, name, claim, named, knowledge):
-                    return None
-                signs = {f"{n} ≥ 0" for n in names(claim)}
-                signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
-                rest = [text for text in decision.assumptions if text not in signs]
-                rest += ["the rod is long"] if is_rough else []
-                self.words.words_above[name] = named.words
-                self.roles.taken[name] = _ROLE_OF.get(named.quantity.name, "")
-                return replace(decision, assumptions=(self.text(name, named), *rest))
+        proofs = (self._proof(chain, name, claim, *pair, known, knowledge) for pair in pairs)
+        proof = next((each for each in proofs if each is not None), None)
+        if proof is not None:
+            return proof if proof.is_proved else None
         if (inverted := self._inverted(chain, name, claim, plain, knowledge)) is not None:
             return inverted
         in_letters_of = {
@@ -391,18 +382,52 @@ class NamedQuantities:
             by_form = self._by_form(chain, name, claim, knowledge, known) if is_unnamed else None
             return by_form or self._by_dimension(chain, name, claim, knowledge)
         (named,) = fitting.values()
-        if self._is_one_of_all(chain, name, claim, named, knowledge):
-            return None
-        if named.quantity.turns and self.counts_from_elsewhere:
+        is_turned = named.quantity.turns and self.counts_from_elsewhere
+        if is_turned or self._is_one_of_all(chain, name, claim, named, knowledge):
             return None
         self.words.words_above.setdefault(name, named.words)
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
 
-    def _numbers(
-        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
-    ) -> Numbers | None:
+    def _proof(
+        self,
+        chain: Chain,
+        name: str,
+        claim: Formula,
+        named: Named,
+        target: Formula,
+        known: Knowledge,
+        knowledge: Knowledge,
+    ) -> Decision | None:
+        """Return the proof that a formula is a standard one; None where it is not.
+
+        An open decision says that it is, but that the words make another quantity of the named one.
+        """
+        side, sign = chain.sides[1], chain.relations[0].sign
+        is_equal = decimals(claim) or agrees(target, claim)
+        if is_equal:  # a proof costs more than a comparison
+            decision = decide(Side((target,), side.span), side, sign, known)
+        elif self.numbers is not None and _is_rounded(target, claim):
+            decision = Decision(
+                PROVED, assumptions=(f"its number is rounded, of {formula_text(target)}",)
+            )
+        else:
+            return None
+        if not decision.is_proved or decision.order:
+            return None
+        if self._is_changed(chain, name, claim, named, knowledge):
+            return Decision(UNDECIDED)
+        is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
+        signs = {f"{n} ≥ 0" for n in names(claim)}
+        signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
+        rest = [text for text in decision.assumptions if text not in signs]
+        rest += ["the rod is long"] if is_rough else []
+        self.words.words_above[name] = named.words
+        self.roles.taken[name] = _ROLE_OF.get(named.quantity.name, "")
+        return replace(decision, assumptions=(self.text(name, named), *rest))
+
+    def _numbers(self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge) -> Numbers | None:
         """Return the units that words give the letters of a formula; None where none of them matters."""
         if " " in name:
             return None
@@ -446,7 +471,9 @@ class NamedQuantities:
     ) -> bool:
         """Tell whether a formula is one cylinder's, where words ask for all of $z$ cylinders."""
         of_all = [node for node in named.quantity.formulas if _is_times_cylinders(node)]
-        of_all = [node for node in of_all if cylinders.name in names(node) and "volume" not in names(node)]
+        of_all = [
+            node for node in of_all if cylinders.name in names(node) and "volume" not in names(node)
+        ]
         text = self.words.glossary.english(self.words.sentence_before(chain))
         if not of_all or not _OF_ALL.search(text) or not _COUNTED_BY_LETTER.search(text):
             return False
@@ -659,11 +686,7 @@ class NamedQuantities:
         mistakes = self._mistakes(named, claim, name, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
         is_other = not is_mistake and any(agrees(other, claim) for other in others)
-        if self.numbers is not None and not self.numbers.is_whole:
-            numbers, self.numbers = self.numbers, None  # it may be one between quantities
-            plain = self._targets(quantity.formulas, claim, name, named, knowledge)
-            self.numbers = numbers
-            is_other |= any(agrees(each, claim) for each in plain)
+        is_other |= self._is_between_quantities(name, claim, named, knowledge)
         if is_other or _has_complement(claim, knowledge):
             return None
         count = named.cylinders
@@ -675,8 +698,7 @@ class NamedQuantities:
         is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
         if quantity.only is not None or (is_counted and len(self.counts) == 1):
             own = _ENGINE_SIZE.sub("", own)
-        is_in_words = may_be_part(own)
-        is_part = is_in_words or _has_own_convention(claim, knowledge)
+        is_part = may_be_part(own) or _has_own_convention(claim, knowledge)
         is_part = is_scaled or (is_part and "part" not in quantity.slips)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
         counted = self._targets(
@@ -692,13 +714,7 @@ class NamedQuantities:
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
             kind = slip_of(target, claim, slips, is_part)
-            is_of_units = self.numbers is not None and self.numbers.is_whole and not is_scaled
-            if not kind and is_of_units and not is_part and not _is_rounded(target, claim):
-                is_changed = is_multiple(target, claim)
-                is_changed |= any(
-                    is_multiple(each, claim) and not is_multiple(each, target) for each in mistakes
-                )
-                kind = "change of units" if is_changed else ""
+            kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
             if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
@@ -725,6 +741,26 @@ class NamedQuantities:
             repair = Repair(kind, target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
+
+    def _is_between_quantities(
+        self, name: str, claim: Formula, named: Named, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether a formula may be one between quantities, and not between numbers of units."""
+        if self.numbers is None or self.numbers.is_whole:
+            return False
+        numbers, self.numbers = self.numbers, None
+        plain = self._targets(named.quantity.formulas, claim, name, named, knowledge)
+        self.numbers = numbers
+        return any(agrees(each, claim) for each in plain)
+
+    def _slip_of_units(self, target: Formula, claim: Formula, mistakes: list[Formula]) -> str:
+        """Return that a formula between numbers of units has another constant than converts them."""
+        if self.numbers is None or not self.numbers.is_whole or _is_rounded(target, claim):
+            return ""
+        is_changed = is_multiple(target, claim) or any(
+            is_multiple(each, claim) and not is_multiple(each, target) for each in mistakes
+        )
+        return "change of units" if is_changed else ""
 
     def _mistakes(self, named: Named, claim: Formula, name: str, knowledge: Knowledge) -> list[Formula]:
         """Return a quantity's usual mistakes, of the net force where nothing says that it is the rod's.

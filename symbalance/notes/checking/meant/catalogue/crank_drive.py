@@ -63,8 +63,13 @@ _ENGINE = words(
     r"|ピストン|クランク|連接棒|コンロッド|機関|bielle|manivelle|biella|biela|manivela|motore?\b|moteur"
 )
 _GAS_FORCE = words(
-    r"(?:gas|combustion)\s+(?:force|load|thrust)", r"force\s+(?:of|from|by)\s+the\s+gas(?:es)?",
-    r"gaskraft", r"kolbenkraft", r"ガス力", r"ガス圧力?(?:による)?力", r"force\s+des\s+gaz",
+    r"(?:gas|combustion)\s+(?:force|load|thrust)",
+    r"force\s+(?:of|from|by)\s+the\s+gas(?:es)?",
+    r"gaskraft",
+    r"kolbenkraft",
+    r"ガス力",
+    r"ガス圧力?(?:による)?力",
+    r"force\s+des\s+gaz",
     r"fuerza\s+de(?:l|\s+los)\s+gas(?:es)?",
 )
 _FACES = (PI * diameter**2 / 4, area)
@@ -137,16 +142,15 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "force of gas and mass on the piston", letters("F P R K Q"),
         words(r"(?:resultant|resulting|total|net|effective)\s+(?:piston\s+)?(?:force|effort|load|thrust)"
               r"(?:\s+on\s+the\s+piston)?", r"force\s+(?:resultant|total)e?",
-              r"piston\s+effort", r"(?:resultierende|gesamte?|wirksame)[nrs]?\s*(?:kolben)?kraft", r"合力"),
+              r"piston\s+effort", r"(?:resultierende|gesamte?"
+              r"|wirksame)[nrs]?\s*(?:kolben)?kraft", r"合力"),
         (), ("edit",), approximate=tuple(gas - _MASS_FORCE * wave for gas in _GAS for wave in _WAVES),
-        mistakes=tuple(
-            node
-            for gas in _GAS
-            for node in (
-                gas + _MASS_FORCE * _WAVES[0], gas - _MASS_FORCE * (SIN_CRANK + ratio * DOUBLE),
-                gas + _MASS_FORCE * _WAVES[1], gas - _MASS_FORCE * (SIN_CRANK + DOUBLE / slenderness),
-            )
-        ) + (pressure / area - _MASS_FORCE * _WAVES[0],),
+        mistakes=(
+            *(gas + _MASS_FORCE * wave for gas in _GAS for wave in _WAVES),
+            *(gas - _MASS_FORCE * (SIN_CRANK + ratio * DOUBLE) for gas in _GAS),
+            *(gas - _MASS_FORCE * (SIN_CRANK + DOUBLE / slenderness) for gas in _GAS),
+            pressure / area - _MASS_FORCE * _WAVES[0],
+        ),
         unless=words(_OFFSET, r"crank[- ]end|double[- ]acting|under ?side|below the piston|suction"
         r"|vacuum|doppeltwirk|複動|opposed|gegenkolben|\bweight\b|gewicht|scotch|outwards?\s+positive"
         r"|positive\s+outwards?|away from the crank"),
@@ -289,7 +293,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
               r"|across)\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin|shaft|case))",
               r"(?:komponente|anteil|kraft)\s+(?:senkrecht|rechtwinklig|quer)\s+zu[rm]?\s+"
               r"kurbel(?:arm|wange|kröpfung|radius)?(?![a-zäöü])",
-              r"(?:接線|円周|回転)方向の?(?:分力|成分|力)", r"クランク(?:腕|アーム)?に(?:垂直|直角)な?(?:方向の?)?(?:分力|成分|力)",
+              r"(?:接線|円周|回転)方向の?(?:分力|成分|力)", r"クランク(?:腕|アーム)?に(?:垂直"
+              r"|直角)な?(?:方向の?)?(?:分力|成分|力)",
               r"(?:tangential|dreh|umfangs)kraft", r"(?:接線|回転)力"),
         (piston_force * SIN_BOTH / COS_ROD, any_force * SIN_BOTH / COS_ROD, rod_force * SIN_BOTH,
          any_force * (SIN_CRANK + COS_CRANK * TAN_ROD),
@@ -312,7 +317,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "radial force at the crank pin", letters("F R P Z Q"),
         words(r"radial\s+(?:crank\s+)?(?:force|component|thrust)(?:\s+(?:at"
         r"|on)\s+the\s+crank[- ]?pin)?", r"(?:radial|kurbelarm)kraft",
-              r"(?:component|part)\s+along\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin|shaft|case))",
+              r"(?:component|part)\s+along\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin"
+              r"|shaft|case))",
               r"(?:komponente|anteil|kraft)\s+(?:längs|entlang|in\s+richtung)\s+de[rs]\s+"
               r"kurbel(?:arms?|wange|kröpfung|radius)?(?![a-zäöü])",
               r"(?:半径|法線)(?:方向の?)?(?:力|分力|成分)"),

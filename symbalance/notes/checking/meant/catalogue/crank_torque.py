@@ -92,7 +92,8 @@ _INERTIA_TORQUE = (
 def _wrong_shares(own: Formula, other: Formula) -> tuple[Formula, ...]:
     """Return what is mistaken for the part of a rod's mass that goes with one of two distances."""
     return (
-        mass * rod / own, mass * own**2 / rod**2, mass * (rod - other) / other, mass * rod / (rod - other),
+        mass * rod / own, mass * own**2 / rod**2, mass * (rod - other) / other,
+        mass * rod / (rod - other),
         mass * (rod - other) ** 2 / rod**2, mass * other / (rod - other), mass * own / (rod - own),
     )  # fmt: skip
 
@@ -266,7 +267,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         "excess of inertia of a rod of two masses", letters("Delta_J J I Delta_I Theta"),
         words(r"moments?\s+of\s+inertia[^.;=]{0,50}?\s(?:too\s+(?:large|great|big|high)"
               r"|trop\s+grande?|troppo\s+grande|demasiado\s+grande)\s+(?:by|of|de|di|en)?",
-              r"(?:massen)?trägheitsmoment[^.;=]{0,50}?\szu\s+groß", r"excess\s+(?:of\s+)?(?:moment\s+of\s+)?inertia",
+              r"(?:massen)?trägheitsmoment[^.;=]{0,50}?\szu\s+groß",
+              r"excess\s+(?:of\s+)?(?:moment\s+of\s+)?inertia",
               r"慣性モーメント[^。]{0,20}(?:過大|大きすぎ|大きく見積)"),
         (mass * (near * far - gyration**2), mass * (to_big * to_small - gyration**2),
          mass * near * far - central, mass * to_big * to_small - central),

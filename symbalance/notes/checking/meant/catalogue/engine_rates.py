@@ -160,7 +160,8 @@ ENGINE_RATES: tuple[Quantity, ...] = (
         "speed of rotation by the angular speed", letters("n N f"), _ROTATIONAL_SPEED,
         (omega / (2 * PI), 30 * omega / PI), (), mistakes=(
             omega / PI, 2 * PI * omega, omega / (4 * PI), PI * omega / 30, 60 * omega / PI,
-            15 * omega / PI, PI * omega / 60, 2 * PI / omega, 60 * omega, omega / 60, 2 * PI / (60 * omega),
+            15 * omega / PI, PI * omega / 60, 2 * PI / omega, 60 * omega, omega / 60,
+            2 * PI / (60 * omega),
             60 * PI * omega, 30 * omega,
         ),
         unless=_OTHER_SPEED,
@@ -169,7 +170,11 @@ ENGINE_RATES: tuple[Quantity, ...] = (
         "time of a turn of the crank", letters("t Delta_t T tau"),
         words(r"\b(?:time|duration|interval\s+of\s+time)\b", r"\bdauer\b", r"zeit(?:dauer|spanne)?\b",
               r"時間", r"durée", r"\btemps\b", r"\btiempo", r"\btempo\b", r"durata", r"duración"),
-        tuple(node for a in _ANGLES for node in (a / omega, *(a / (k * n) for n in _RATES for k in (6, 360)))),
+        tuple(
+            node
+            for a in _ANGLES
+            for node in (a / omega, *(a / (k * n) for n in _RATES for k in (6, 360)))
+        ),
         (), mistakes=tuple(
             node
             for a in _ANGLES

@@ -134,8 +134,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speeds?"
     r"|winkelgeschwindigkeit"
      r"|kreisfrequenz|角速度|角振動数"),
-    ("omega_high", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?|角速度", "", "min"),
-    ("omega_low", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?|角速度", "", "max"),
+    ("omega_high", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?"
+    r"|角速度", "", "min"),
+    ("omega_low", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?"
+    r"|角速度", "", "max"),
     ("rotation", "n N f", r"speed|rpm|revolutions|drehzahl|回転数|回転速度|frequency"),
     ("frequency", "f nu", r"frequency|frequenz|振動数|周波数"),
     ("stroke", "s S H L", r"stroke|hub|行程|ストローク"),
@@ -160,7 +162,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
-    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force (?:total |resultant |acting )?(?:up)?on the piston"
+    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force (?:total "
+    r"|resultant |acting )?(?:up)?on the piston"
      r"|force along the (?:axis of the cylinder|cylinder(?:'s)? axis|line of stroke)"
      r"|ピストンに(?:働く|作用する|かかる)?(?:軸方向の?)?力"
         r"|net (?:piston )?(?:force|load)"
@@ -306,7 +309,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
      r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
     ("grade", "G Q", r"grade|quality|gütestufe|auswuchtgüte|等級|mm/s"),
-    ("back_pressure", "p P", r"(?:crankcase|ambient|atmospheric|back|outside|surrounding|external|counter)"
+    ("back_pressure", "p P", r"(?:crankcase|ambient|atmospheric|back|outside|surrounding|external"
+    r"|counter)"
      r"\s+pressure|pressure\s+(?:in|of|at)\s+(?:the\s+)?(?:crankcase|surroundings|atmosphere|environment"
      r"|underside|outside)|atmosphere|(?:umgebungs|atmosphären|kurbelgehäuse|kurbelraum|außen|gegen)-?druck"
      r"|druck\s+(?:im|in\s+de[mr]|der)\s+(?:kurbelgehäuse|kurbelraum|umgebung)"

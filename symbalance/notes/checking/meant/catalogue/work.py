@@ -47,7 +47,8 @@ _CYCLES = (
 _PER_TURN = r"per (?:turn|revolution)|je umdrehung|pro umdrehung|1回転"
 _MEAN_TORQUE = words(
     r"(?:mean|average)\s+(?:(?:engine|brake|indicated|effective|useful|shaft)\s+)*torque", r"\btorque",
-    r"torque\s+(?:mean|average|medi[oa]|moyen)", r"mittleres?\s+(?:(?:effektives|indiziertes)\s+)?(?:dreh)?moment",
+    r"torque\s+(?:mean|average|medi[oa]|moyen)", r"mittleres?\s+(?:(?:effektives"
+    r"|indiziertes)\s+)?(?:dreh)?moment",
     r"dreh-?moment",
     r"平均(?:軸|正味|図示)?トルク", r"トルク", r"couple\s+moyen", r"par\s+medio",
 )  # fmt: skip

@@ -397,13 +397,22 @@ class CrankMotions:
         head = case.head
         if self._is_fixed_by_another(named.kind, case, named.places[0]):
             return False
-        return any(
-            agreement(
-                _inside(motion, head.function), case.formula, values_in(reading), _signs(kind, head)
+        found = (
+            (
+                agreement(
+                    _inside(motion, head.function), case.formula, values_in(reading), _signs(kind, head)
+                ),
+                motion,
+                reading,
             )
             for reading in readings
             for (kind, place), motion in self.table.items()
             if kind == named.kind and (place or not named.places[0])
+        )
+        return any(
+            each is not None
+            and not (each[2].isdigit() and self._is_of_other_function(case, motion, reading))
+            for each, motion, reading in found
         )
 
     def _with_slip(

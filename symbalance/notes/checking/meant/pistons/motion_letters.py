@@ -227,7 +227,9 @@ class MotionLetters:
             if len(angles) != 2 or angle_rank(angles[0]) <= angle_rank(angles[1]):
                 continue
             sine = Call("sin", Name(angles[1]))
-            known |= {second == Quotient(sine, Name(letter))} if _is_product(second, letter, sine) else set()
+            known |= (
+                {second == Quotient(sine, Name(letter))} if _is_product(second, letter, sine) else set()
+            )
         return known
 
 

@@ -60,15 +60,18 @@ OF_ROD = frozenset({ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION})
 _FAST = re.compile(r"fast|velocit|speed|geschwindig|速度|schnell|vitesse|velocidad", re.IGNORECASE)
 _EXTREME = re.compile(r"extrem|\btop|peak|hump|minim|largest|greatest|maxim", re.IGNORECASE)
 _MIDWAY = re.compile(
-    r"mid-?stroke|half[- ](?:the |its |of the |of its |way )?(?:down |through |along )?(?:the |its )?stroke"
+    r"mid-?stroke|half[- ](?:the |its |of the |of its |way )?(?:down |through |along )?(?:the "
+    r"|its )?stroke"
     r"|middle of (?:the|its) stroke|half ?way (?:down|through|along|on) (?:the|its) (?:stroke|travel)"
-    r"|half[- ]way down its stroke|hubmitte|mitte des (?:kolben)?hub|halbe[mnr]? (?:kolben)?hub|halben? kolbenweg"
+    r"|half[- ]way down its stroke|hubmitte|mitte des (?:kolben)?hub|halbe[mnr]? (?:kolben)?hub"
+    r"|halben? kolbenweg"
     r"|行程の?(?:中央|半分|1/2|中点)|mi-course|milieu de (?:la |sa )?(?:course|stroke)"
     r"|mitad de (?:la |su )?(?:carrera|stroke)|metà (?:della )?(?:corsa|stroke)",
     re.IGNORECASE,
 )
 _DOUBTS = re.compile(
-    r"\bnot\b(?! (?:an )?offset)|\binstead\b|\bwrong|mistak|\bnicht\b(?! (?:geschränkt|desaxiert|versetzt))|\bstatt\b|anstelle|falsch|ではない|誤り|間違|older|empiri"
+    r"\bnot\b(?! (?:an )?offset)|\binstead\b|\bwrong|mistak|\bnicht\b(?! (?:geschränkt|desaxiert"
+    r"|versetzt))|\bstatt\b|anstelle|falsch|ではない|誤り|間違|older|empiri"
     r"|rule of thumb|faustformel|mistook|often written",
     re.IGNORECASE,
 )
