@@ -7,6 +7,7 @@ from fractions import Fraction
 from symbalance.document.formula import Number
 from symbalance.notes.checking.meant.catalogue.crank_drive import COS_CRANK, SIN_CRANK
 from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
     Quantity,
     arm_of_weight,
     balance_mass,
@@ -25,6 +26,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     rod,
     root,
     rotating,
+    rotation,
     share,
     unbalance,
     unbalanced,
@@ -50,8 +52,14 @@ BALANCE: tuple[Quantity, ...] = (
         "centrifugal force", letters("F Z C P K"),
         words(r"centrifugal\s+forces?", r"centripetal\s+force", r"flieh-?kraft", r"zentrifugalkraft",
                r"zentripetalkraft", r"遠心力", r"向心力"),
-        (mass * radius * omega**2, mass * velocity**2 / radius, weight * radius * omega**2 / gravity),
-        slips=("power",), unless=words(_IN_POUNDS),
+        (mass * radius * omega**2, mass * velocity**2 / radius, weight * radius * omega**2 / gravity,
+         4 * PI**2 * rotation**2 * mass * radius, PI**2 * rotation**2 * mass * radius / 900),
+        slips=("power", "turn"),
+        mistakes=(PI**2 * rotation**2 * mass * radius,
+                  2 * PI * rotation * mass * radius, PI * rotation * mass * radius / 30,
+                  PI**2 * rotation**2 * mass * radius / 3600, PI**2 * rotation**2 * mass * radius / 1800,
+                  PI**2 * rotation**2 * mass * radius / 225, 2 * PI**2 * rotation**2 * mass * radius),
+        unless=words(_IN_POUNDS),
     ),
     Quantity(
         "centrifugal force of a weight", letters("F Z C P K"),

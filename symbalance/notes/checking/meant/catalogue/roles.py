@@ -131,11 +131,13 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     r"|慣性モーメント"),
     ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speed"
+    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speeds?"
     r"|winkelgeschwindigkeit"
      r"|kreisfrequenz|角速度|角振動数"),
-    ("omega_high", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
-    ("omega_low", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
+    ("omega_high", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?"
+    r"|角速度", "", "min"),
+    ("omega_low", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?"
+    r"|角速度", "", "max"),
     ("rotation", "n N f", r"speed|rpm|revolutions|drehzahl|回転数|回転速度|frequency"),
     ("frequency", "f nu", r"frequency|frequenz|振動数|周波数"),
     ("stroke", "s S H L", r"stroke|hub|行程|ストローク"),
@@ -160,7 +162,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
-    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force on the piston"
+    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force (?:total "
+    r"|resultant |acting )?(?:up)?on the piston"
+     r"|force along the (?:axis of the cylinder|cylinder(?:'s)? axis|line of stroke)"
+     r"|ピストンに(?:働く|作用する|かかる)?(?:軸方向の?)?力"
         r"|net (?:piston )?(?:force|load)"
      r"|(?:kolben|gas)-?kraft|(?:ピストン|ガス)力", "g G p K k gas kol Gas Kol"),
     ("rod_force", "F S Q", r"(?:rod|stangen|pleuel)\w*[ -]*(?:force|thrust|load|kraft)|force (?:in|of"
@@ -241,10 +246,12 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|zentrifugalkraft|遠心力"),
     ("effective_pressure", "p_e p_me p_b p_eff p_bmep P_e", r"(?:brake"
         r"|effective) mean (?:effective )?pressure"
+     r"|(?<!indicated )(?<!friction )(?<!fmep )mean effective pressure"
      r"|effektiver? (?:mittel|nutz)druck|正味平均有効圧力?|bmep"),
     ("indicated_pressure", "p_i p_mi p_ind p_imep P_i", r"indicated (?:mean )?(?:effective )?pressure"
      r"|mean indicated pressure|indizierter? (?:mittel|innen)druck|図示平均有効圧力?|imep"),
-    ("lost_pressure", "p_r p_mr p_f p_fr p_fmep", r"friction (?:mean )?(?:effective )?pressure"
+    ("lost_pressure", "p_r p_mr p_f p_fr p_mf p_fmep", r"friction (?:mean )?(?:effective )?pressure"
+     r"|mean (?:effective )?pressure of friction"
         r"|reib(?:ungs)?mitteldruck"
      r"|摩擦平均有効圧力?|fmep"),
     ("effective_power", "P_e P_b P_eff N_e P_bp P_bhp P_B N_b", r"(?:brake|effective"
@@ -302,6 +309,15 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
      r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
     ("grade", "G Q", r"grade|quality|gütestufe|auswuchtgüte|等級|mm/s"),
+    ("back_pressure", "p P", r"(?:crankcase|ambient|atmospheric|back|outside|surrounding|external"
+    r"|counter)"
+     r"\s+pressure|pressure\s+(?:in|of|at)\s+(?:the\s+)?(?:crankcase|surroundings|atmosphere|environment"
+     r"|underside|outside)|atmosphere|(?:umgebungs|atmosphären|kurbelgehäuse|kurbelraum|außen|gegen)-?druck"
+     r"|druck\s+(?:im|in\s+de[mr]|der)\s+(?:kurbelgehäuse|kurbelraum|umgebung)"
+     r"|(?:クランク(?:室|ケース)|大気|外|背)の?(?:内)?の?圧力?|pression\s+(?:atmosphérique|ambiante)"
+     r"|presi[oó]n\s+(?:atmosférica|ambiente)|pressione\s+(?:atmosferica|ambiente)",
+     "0 a u k K KG atm amb U c L b crank cc umg o"),
+    ("turned_angle", "theta vartheta alpha phi varphi psi gamma delta beta", r"(?!)"),
     ("wall_of_weight", "t b h s w d B", r"thick\w*|width|breadth|dicke|breite|厚さ?|幅"),
 )  # fmt: skip
 ROLES: Mapping[str, Role] = {
@@ -330,5 +346,6 @@ OTHER_LENGTHS = words(
     effective_pressure, indicated_pressure, lost_pressure, effective_power, indicated_power,
     lost_power, cycle_work, excess, rod_acceleration, to_big, to_small, piston_mass, rod_mass,
     crank_mass, net_force, outer_radius, turn_rate, inner_radius, bank, half_bank, slender,
-    wheel_load, pitch, base_force, sector, half_sector, grade, wall_of_weight,
+    wheel_load, pitch, base_force, sector, half_sector, grade, back_pressure, turned_angle,
+    wall_of_weight,
 ) = map(Name, ROLES)  # fmt: skip

@@ -110,6 +110,7 @@ top dead centre: point mort haut|PMH|p\.\s?m\.\s?h\.?
 bottom dead centre: point mort bas|PMB|p\.\s?m\.\s?b\.?
 dead centre: point mort
 radius of gyration: rayon (?:de giration|d'inertie)
+friction mean effective pressure: pression moyenne (?:effective )?(?:de|des) (?:frottements?|pertes)
 radius: rayon
 diameter: diamètre
 density: masse volumique

@@ -111,6 +111,8 @@ top dead centre: punto morto superiore|PMS|p\.\s?m\.\s?s\.?
 bottom dead centre: punto morto inferiore|PMI|p\.\s?m\.\s?i\.?
 dead centre: punto morto
 radius of gyration: raggio (?:d'inerzia|giratore|di girazione)
+friction mean effective pressure: pressione media (?:effettiva )?(?:di |d'|degli )attrit[oi]
+angle: angol[oi]
 radius: raggio
 diameter: diametro
 density: densità

@@ -99,6 +99,7 @@ top dead centre: ponto morto superior|PMS|p\.\s?m\.\s?s\.?
 bottom dead centre: ponto morto inferior|PMI|p\.\s?m\.\s?i\.?
 dead centre: ponto morto
 radius of gyration: raio de giração
+angle: ângulos?
 radius: raio
 diameter: diâmetro
 density: densidade|massa específica

@@ -110,6 +110,8 @@ top dead centre: punto muerto superior|PMS|p\.\s?m\.\s?s\.?
 bottom dead centre: punto muerto inferior|PMI|p\.\s?m\.\s?i\.?
 dead centre: punto muerto
 radius of gyration: radio de (?:giro|inercia)
+friction mean effective pressure: presión media (?:efectiva )?de (?:fricción|rozamientos?|pérdidas)
+angle: ángulos?
 radius: radio
 diameter: diámetro
 density: densidad
