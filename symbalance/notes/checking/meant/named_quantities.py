@@ -156,7 +156,7 @@ _ROD_FORCE = re.compile(
 """Words for the force in the rod, whose letter may be any that a force has."""
 _OF_MINUTES = (30, 60, 120)
 """Numbers that turn revolutions or cycles of a second into those of a minute."""
-_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan", "ln")
 
 
 @dataclass
@@ -545,7 +545,13 @@ class NamedQuantities:
         head = name
         if ("", "own_inertia") in together and not index_of(name):
             head = f"{name}_{named.end}"
-        return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
+        readings = self.roles.readings(shaped, claim, knowledge.meanings, together, head)
+        needed = [(role, index.split()) for role, index in named.quantity.subscripts]
+        return [
+            target
+            for target, letters in readings
+            if all(index_of(letters[role]) in indices for role, indices in needed if role in letters)
+        ]
 
     def _counted(
         self,

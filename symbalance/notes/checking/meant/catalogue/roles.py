@@ -65,6 +65,8 @@ class Quantity:
     """Whether those words may stand anywhere on the page, if none of `unless` does."""
     together: tuple[tuple[str, str], ...] = ()
     """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
+    subscripts: tuple[tuple[str, str], ...] = ()
+    """Roles whose letters need one of some subscripts, whatever words name them: x_0 the first peak."""
     stated: frozenset[str] = frozenset()
     """Roles whose number the words of the page may give: half of the mass, seven cylinders."""
     is_of_one: bool = False
@@ -207,7 +209,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("damping_ratio", "D zeta xi vartheta theta", r"damping(?: ratio| factor)?|dämpfungs(?:grad|maß)"
     r"|lehr\w*"
      r"|減衰比"),
-    ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"),
+    ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"
+     r"|振動数[^、。]{0,14}の比|ratio of (?:the )?\w+ (?:to|and) (?:the )?\w+ frequenc(?:y|ies)"),
     ("decrement", "Lambda delta vartheta theta", r"decrement|dekrement|減衰率"),
     ("order", "i k n nu j x z m", r"\border|ordnung|ordnungszahl|次数?|harmonic|per (?:turn|revolution)"),
     ("static_deflection", "delta f y x s w", r"deflection|durchsenkung|durchbiegung|einsenkung|たわみ"),

@@ -1,0 +1,65 @@
+"""Letters in the formulas of vibrating trains, rotors and pendulums: the middle disc, the total mass, a peak.
+
+They join those of `roles` and `shaft_roles`, in the same form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from symbalance.document.formula import Name
+from symbalance.notes.checking.meant.catalogue.roles import Role, letters, words
+
+_SPEEDS = r"(?:angular )?(?:speed|velocity)|rpm|(?:winkel)?geschwindigkeit|drehzahl(?:en)?|回転(?:数|速度)|角速度"
+_INERTIA = r"inertia|trägheitsmomenten?|masse[ns]?|mass(?:es)?|慣性モーメント"
+_TORQUE = r"torques?|(?:dreh|torsions)?momente?n?|トルク"
+_PEAK = r"amplitudes?|peaks?|ausschl[aä]ge?|振幅|maxim(?:a|um)|極大値?"
+_ENTRIES: tuple[tuple[str, ...], ...] = (
+    ("poisson", "nu mu", r"poisson\w*(?:['’]s)?(?: ratio| number)?|quer(?:kontraktion|dehn)\w*|ポアソン比"),
+    ("shaft_length", "l L ell", r"(?:whole|total|overall|shaft)\s+length|length of the (?:whole |entire )?shaft"
+     r"|(?:shaft|welle)(?: \w+){0,3} (?:of|de|di|der) (?:the )?(?:length|länge)|gesamtlänge"
+     r"|länge der (?:ganzen )?welle|軸の(?:全)?長さ|全長", "", "1 2 a b A B"),
+    ("own_speed", "n N omega Omega", _SPEEDS, "1 2 a b A B"),
+    ("other_speed", "n N omega Omega", _SPEEDS, "1 2 a b A B"),
+    ("own_teeth", "z Z", r"teeth|zähne\w*|歯数", "1 2 a b A B"),
+    ("other_teeth", "z Z", r"teeth|zähne\w*|歯数", "1 2 a b A B"),
+    ("middle_inertia", "J I Theta m M", r"(?:middle|cent(?:er|re)|central\w*|mittler\w*|mittig\w*|中央|中間)[^,.;$]{0,28}",
+     "0 m c 2 M"),
+    ("outer_inertia", "J I Theta m M", r"(?:outer|outside|\bends?|extern\w*|extrem\w*|äußere\w*|両端|外側|両側)"
+     r"[^,.;$]{0,32}", "", "0 m c 2 M"),
+    ("shaft_inertia", "J I Theta m M", r"(?:(?:\bown|eigene\w*|shaft(?:'s)?|spring(?:'s)?|wellen?|feder)\b[^,.;$]{0,30}"
+     rf"(?:{_INERTIA}))|federmasse|(?:{_INERTIA}) (?:of|der) (?:the )?(?:shaft|spring|welle|feder)"
+     r"|軸(?:自身)?の慣性モーメント|ばね(?:自身)?の質量", "s sh w W S f F sp"),
+    ("first_torque", "M T Q", _TORQUE, "a A 1 l"),
+    ("second_torque", "M T Q", _TORQUE, "b B 2 r"),
+    ("transmission", "T tau V TR T_R D i epsilon K", r"transmissib\w*|(?:振動|力の?)?伝達[率比]|durchlässigkeit\w*"
+     r"|übertragungs\w+|transmission (?:ratio|factor)"),
+    ("first_peak", "x X a A y theta vartheta varphi phi u q", _PEAK, "0 1 i"),
+    ("later_peak", "x X a A y theta vartheta varphi phi u q", _PEAK, "n N m k 2 j"),
+    ("cycles", "n N m k j", r"cycles|periods|oscillations|swings|vibrations|schwingungen|perioden|周期|サイクル"),
+    ("whole_swing", "x s d X", r"peak[- ]to[- ]peak(?:\s+\w+)?|schwingweite|double amplitude|doppelamplitude"
+     r"|(?:全|両)振幅", "pp ss PP"),
+    ("displacement", "x y s z q u", r"displacement|deflection|elongation|auslenkung|変位|distance"),
+    ("machine_mass", "M m_M m_ges m_tot m_g", r"(?:(?:total|whole|overall|machine(?:'s)?|engine(?:'s)?|rotor(?:'s)?"
+     r"|gesamt|maschinen)[ -]?(?:mass|masse|weight))|(?:mass|masse) (?:of|der) (?:the )?(?:whole |ganzen )?"
+     r"(?:machine|maschine|engine)|(?:machine|engine|maschine)(?: \w+)? (?:mass|masse)"
+     r"|(?:機械|全体?)の?質量"),
+    ("eccentric_mass", "m m_u m_0 m_e m_r", r"(?:rotating|eccentric|unbalanced?|out-of-balance|exzentrische|rotierende"
+     r"|umlaufende)[ -](?:mass|masse)|unwuchtmasse|(?:不釣り?合い|偏心|回転)の?質量"),
+    ("span", "L l b B", r"(?:bearings|lagern?|軸受)[^,.;$]{0,30}|bearing (?:distance|spacing|span)|lagerabstand"),
+    ("couple_arm", "a b c s h l d", r"(?:axis|shaft|achse|welle|apart|distance|axial\w*|abstand|軸方向)[^,.;$]{0,20}"
+     r"|apart|distances?|距離|間隔"),
+    ("strings", "l L ell h", r"(?:wires?|strings?|threads?|cords?|ropes?|fäden|drähten?|seilen?|糸|ワイヤ)[^,.;$]{0,40}"
+     r"|length|länge|長さ"),
+    ("string_circle", "R r a b", r"radius|halbmesser|半径"),
+    ("string_gap", "d a b D s c", r"distance|abstand|間隔|距離|apart|spacing"),
+)  # fmt: skip
+VIBRATION_ROLES: Mapping[str, Role] = {
+    name: Role(letters(usual), words(phrase), *map(letters, indices))
+    for name, usual, phrase, *indices in _ENTRIES
+}
+(
+    poisson, shaft_length, own_speed, other_speed, own_teeth, other_teeth, middle_inertia, outer_inertia,
+    shaft_inertia, first_torque, second_torque, transmission, first_peak, later_peak, cycles, whole_swing,
+    displacement, machine_mass, eccentric_mass, span, couple_arm, strings, string_circle, string_gap,
+) = map(Name, VIBRATION_ROLES)  # fmt: skip
