@@ -181,10 +181,9 @@ FORCED: tuple[Quantity, ...] = (
         words(r"energy|\bwork|input|arbeit|energie|エネルギー?|仕事"),
         (PI * excitation * amplitude,), ("factor", "part"),
         mistakes=(PI * excitation * amplitude**2, excitation * amplitude),
-        only=words(r"resonan\w*(?=.{0,200}(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
-        r"|1周期))"
-                   r"|(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
-                   r"|1周期)(?=.{0,200}resonan)"),
+        only=both(words(r"resonan|resonanz|90\W{0,3}(?:°|degrees|\^|grad)|quarter\s+(?:of\s+a\s+)?(?:cycle|period)|共振"),
+                  words(r"(?:per|in (?:one|a|each)|during (?:one|a|each)|over (?:one|a)) (?:full )?(?:cycle|period|vibration"
+                        r"|oscillation)|(?:je|pro) (?:schwingung|periode)|[1一](?:周期|サイクル)")),
         unless=words(r"power|leistung|動力|all cylinders|sum|gas"),
     ),
     Quantity(

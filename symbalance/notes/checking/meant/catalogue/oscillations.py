@@ -40,13 +40,17 @@ _HARMONIC = words(
     r"単振動", r"調和振動", r"(?:pure|sine|sinusoidal)\s+(?:sine|motion|vibration|oscillation)", r"sinusoidal|sinusförmig",
     r"pure\s+sine", r"正弦",
 )  # fmt: skip
-_VELOCITY = words(r"velocity", r"\bspeed", r"geschwindigkeit", r"速[さ度]", r"schnelle")
-_ACCELERATION = words(r"acceleration", r"beschleunigung", r"加速度")
+_LARGEST = r"(?:peak|maximum|greatest|largest|max\.?)\s+"
+_VELOCITY = words(rf"(?:{_LARGEST})?velocity", r"\bspeed", r"geschwindigkeit", r"速[さ度]", r"schnelle")
+_ACCELERATION = words(
+    rf"(?:{_LARGEST})?acceleration", r"(?:größte\s+|maximale\s+|spitzen)?beschleunigung", r"(?:最大)?加速度"
+)
 _GREATEST = words(r"peak|maxim\w+|greatest|largest|amplitude|größte|höchst|scheitel|最大|振幅|ピーク")
 _NOT_SWINGING = r"piston|kolben|ピストン|crank|kurbel|クランク|r\.?m\.?s\.?\b|effektivwert|実効値|averag|mittlere|平均"
 _INERTIA = words(
     r"(?:mass\s+)?moment\s+of\s+inertia", r"inertia", r"(?:massen)?trägheitsmoment", r"慣性モーメント",
-    r"period", r"schwingungsdauer", r"周期",
+    r"period", r"schwingungsdauer", r"周期", r"(?:small|torsional)\s+(?:\w+\s+)?(?:oscillations|swings|vibrations)",
+    r"drehschwingung\w*", r"folgt|follows", r"ねじり振動",
 )  # fmt: skip
 _ABOUT_CENTRE = words(
     r"(?:(?:mass\s+)?moment\s+of\s+)?inertia\s+(?:about|round)\s+(?:the|its)\s+(?:cent(?:re|er)\s+of\s+(?:gravity|mass)"

@@ -150,7 +150,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("power", "P N L", r"power|leistung|動力|出力"),
     ("shift", "a e d s", r"distance|abstand|eccentricity|距離|offset"),
     ("central", "J I Theta", r"inertia|trägheitsmoment|慣性モーメント"),
-    ("gravity", "g", r"gravity|erdbeschleunigung|重力加速度"),
+    ("gravity", "g", r"(?<!centre of )(?<!center of )gravity|erdbeschleunigung|重力加速度"),
     ("weight", "W G w", r"weight|gewicht|重量"),
     ("rod_angle", "beta phi varphi psi gamma delta", r"rod angle|obliquity|inclination(?: of the"
      r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
@@ -213,7 +213,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|振動数[^、。]{0,14}の比|ratio of (?:the )?\w+ (?:to|and) (?:the )?\w+ frequenc(?:y|ies)"),
     ("decrement", "Lambda delta vartheta theta", r"decrement|dekrement|減衰率"),
     ("order", "i k n nu j x z m", r"\border|ordnung|ordnungszahl|次数?|harmonic|per (?:turn|revolution)"),
-    ("static_deflection", "delta f y x s w", r"deflection|durchsenkung|durchbiegung|einsenkung|たわみ"),
+    ("static_deflection", "delta f y x s w", r"(?:deflection|durchsenkung|durchbiegung|einsenkung)"
+     r"(?: (?:at|under|of|in|au|unter|am|an|der|des)\b[^,.;$]{0,30})?|たわみ"),
     ("period", "T tau", r"period|time|dauer|zeit|周期"),
     ("arm", "s h a d e L l", r"distance|abstand|距離|length|länge|長さ"),
     ("gyration", "k i r rho", r"gyration|trägheitsradius|trägheitshalbmesser|回転半径"),

@@ -62,7 +62,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("mass_per_length", "mu m rho q", r"mass per (?:unit )?length|linear density|masse je länge"
     r"|massenbelegung"
      r"|線密度"),
-    ("excitation", "F P T M Q", r"force|torque|moment|kraft|力|トルク", "0 a e hat n i k 1"),
+    ("excitation", "F P T M Q", r"force|torque|moment|kraft|力|トルク"
+     r"|(?:force|torque|moment|kraft)(?:es|s)? (?:of|with|mit|der) (?:the |an |der )?amplitude|(?:moment|kraft)amplitude"
+     r"|(?:力|トルク)の?振幅", "0 a e hat n i k 1"),
     ("shear_stress_allowed", "tau", r"stress|spannung|応力"),
     ("shear_force", "Q V F P S", r"(?:shear(?:ing)? )?force|querkraft|せん断力"),
 )  # fmt: skip

@@ -13,7 +13,11 @@ from symbalance.notes.checking.meant.catalogue.roles import Role, letters, words
 _SPEEDS = r"(?:angular )?(?:speed|velocity)|rpm|(?:winkel)?geschwindigkeit|drehzahl(?:en)?|回転(?:数|速度)|角速度"
 _INERTIA = r"inertia|trägheitsmomenten?|masse[ns]?|mass(?:es)?|慣性モーメント"
 _TORQUE = r"torques?|(?:dreh|torsions)?momente?n?|トルク"
-_PEAK = r"amplitudes?|peaks?|ausschl[aä]ge?|振幅|maxim(?:a|um)|極大値?"
+_PEAK = r"amplitudes?|peaks?|ausschl[aä]ge?|振幅|極大値?"
+_BODY = (
+    r"(?:ones?|dis[ck]s?|rotors?|mass(?:es)?|inertia|of|has|have|with|each|the|scheiben?|masse[n]?|hat|haben|je|hanno|ha"
+    r"|trägheitsmoment|円板|の|は|慣性モーメント)"
+)
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("poisson", "nu mu", r"poisson\w*(?:['’]s)?(?: ratio| number)?|quer(?:kontraktion|dehn)\w*|ポアソン比"),
     ("shaft_length", "l L ell", r"(?:whole|total|overall|shaft)\s+length|length of the (?:whole |entire )?shaft"
@@ -23,10 +27,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("other_speed", "n N omega Omega", _SPEEDS, "1 2 a b A B"),
     ("own_teeth", "z Z", r"teeth|zähne\w*|歯数", "1 2 a b A B"),
     ("other_teeth", "z Z", r"teeth|zähne\w*|歯数", "1 2 a b A B"),
-    ("middle_inertia", "J I Theta m M", r"(?:middle|cent(?:er|re)|central\w*|mittler\w*|mittig\w*|中央|中間)[^,.;$]{0,28}",
-     "0 m c 2 M"),
-    ("outer_inertia", "J I Theta m M", r"(?:outer|outside|\bends?|extern\w*|extrem\w*|äußere\w*|両端|外側|両側)"
-     r"[^,.;$]{0,32}", "", "0 m c 2 M"),
+    ("middle_inertia", "J I Theta m M", rf"(?:middle|central\w*|mittler\w*|中央|中間)(?:\s?{_BODY})*", "0 m c 2 M"),
+    ("outer_inertia", "J I Theta m M", rf"(?:(?:outer|outside|extern\w*|estern\w*|äußere\w*|両端|外側)(?:\s?{_BODY})*"
+     rf"|\bend(?:\s{_BODY})+)", "", "0 m c 2 M"),
     ("shaft_inertia", "J I Theta m M", r"(?:(?:\bown|eigene\w*|shaft(?:'s)?|spring(?:'s)?|wellen?|feder)\b[^,.;$]{0,30}"
      rf"(?:{_INERTIA}))|federmasse|(?:{_INERTIA}) (?:of|der) (?:the )?(?:shaft|spring|welle|feder)"
      r"|軸(?:自身)?の慣性モーメント|ばね(?:自身)?の質量", "s sh w W S f F sp"),
@@ -36,7 +39,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|übertragungs\w+|transmission (?:ratio|factor)"),
     ("first_peak", "x X a A y theta vartheta varphi phi u q", _PEAK, "0 1 i"),
     ("later_peak", "x X a A y theta vartheta varphi phi u q", _PEAK, "n N m k 2 j"),
-    ("cycles", "n N m k j", r"cycles|periods|oscillations|swings|vibrations|schwingungen|perioden|周期|サイクル"),
+    ("cycles", "n N m k j", r"(?:full |complete )?cycles|サイクル(?:数)?"),
     ("whole_swing", "x s d X", r"peak[- ]to[- ]peak(?:\s+\w+)?|schwingweite|double amplitude|doppelamplitude"
      r"|(?:全|両)振幅", "pp ss PP"),
     ("displacement", "x y s z q u", r"displacement|deflection|elongation|auslenkung|変位|distance"),
@@ -46,11 +49,11 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|(?:機械|全体?)の?質量"),
     ("eccentric_mass", "m m_u m_0 m_e m_r", r"(?:rotating|eccentric|unbalanced?|out-of-balance|exzentrische|rotierende"
      r"|umlaufende)[ -](?:mass|masse)|unwuchtmasse|(?:不釣り?合い|偏心|回転)の?質量"),
-    ("span", "L l b B", r"(?:bearings|lagern?|軸受)[^,.;$]{0,30}|bearing (?:distance|spacing|span)|lagerabstand"),
-    ("couple_arm", "a b c s h l d", r"(?:axis|shaft|achse|welle|apart|distance|axial\w*|abstand|軸方向)[^,.;$]{0,20}"
-     r"|apart|distances?|距離|間隔"),
-    ("strings", "l L ell h", r"(?:wires?|strings?|threads?|cords?|ropes?|fäden|drähten?|seilen?|糸|ワイヤ)[^,.;$]{0,40}"
-     r"|length|länge|長さ"),
+    ("span", "L l b B", r"bearing (?:distance|spacing|span)|lagerabstand|bearings (?:are|at|stand)(?: \w+ apart)?|span"
+     r"|distance (?:between|of) (?:the )?bearings|abstand der lager|lager(?: haben| sind)? (?:den )?(?:im )?abstand"
+     r"|軸受間?の?(?:距離|間隔)"),
+    ("couple_arm", "a b c s h l d", r"along the (?:axis|shaft)|apart|distances?|axial distance|abstand|距離|間隔"),
+    ("strings", "l L ell h", r"length|länge|長さ"),
     ("string_circle", "R r a b", r"radius|halbmesser|半径"),
     ("string_gap", "d a b D s c", r"distance|abstand|間隔|距離|apart|spacing"),
 )  # fmt: skip

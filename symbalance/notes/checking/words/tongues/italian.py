@@ -223,4 +223,27 @@ when: quando
 another: un altro|un'altra
 case: caso
 whereas: mentre
+static deflection: (?:freccia|inflessione|deflessione) statica
+deflection: freccia|inflessione
+critical speed of bending: velocità critica (?:flessionale|di flessione|a flessione)
+in the middle: a metà(?= d)|in mezzeria|al centro|nel mezzo
+simply supported: (?:semplicemente )?appoggiat\w*
+bearings: cuscinetti|supporti
+bearing: cuscinetto|supporto
+mass per length: massa per unità di lunghezza|massa lineica
+angular frequency: pulsazion[ei](?! (?:propri|natural|smorzat))
+diametrically opposite: diametralmente oppost\w*
+vibrates freely: oscilla liberamente|vibra liberamente
+three discs: tre (?:dischi|volani|masse|inerzie)
+two-node mode: modo (?:a|con) due nodi
+absorber: assorbitore(?: dinamico)?|smorzatore dinamico
+mass ratio: rapporto (?:di|delle|fra le|tra le) masse
+transmissibility: trasmissibilità
+frequency ratio: rapporto (?:di|delle|fra le|tra le) (?:frequenze|pulsazioni)
+simple harmonic motion: moto armonico(?: semplice)?
+bifilar suspension: (?:sospensione|pendolo) bifilare
+trifilar suspension: (?:sospensione|pendolo) trifilare
+small oscillations: piccole oscillazioni
+lag: ritardo(?: di fase)?
+with their signs: col (?:loro|proprio) segno|con segno
 """
