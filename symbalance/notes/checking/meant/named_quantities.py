@@ -50,6 +50,7 @@ from symbalance.notes.checking.meant.claims_in_letters import (
     name_of_head,
     outside_calls,
     with_exact_halves,
+    with_ratios,
     with_sizes,
     without_plus_minus,
 )
@@ -275,6 +276,10 @@ class NamedQuantities:
     ) -> Verdict | Decision | None:
         """Return the verdict on a formula as it stands, or else with the products above put in."""
         outcome = self._share_of_plane(chain, name, claim)
+        by_speeds = with_ratios(claim, knowledge)
+        if outcome is None and by_speeds != claim and len(names(by_speeds)) <= MOST_LETTERS:
+            sides = (chain.sides[0], Side((by_speeds,), chain.sides[1].span), *chain.sides[2:])
+            outcome = self._judge(replace(chain, sides=sides), name, by_speeds, knowledge)
         outcome = outcome or self._judge(chain, name, claim, knowledge)
         if outcome is not None:
             return outcome

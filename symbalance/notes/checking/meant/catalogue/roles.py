@@ -129,9 +129,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
      r"|断面二次|inertia", "1 2 3 a b"),
-    ("first_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("first_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("second_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
     ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speed"
     r"|winkelgeschwindigkeit"
@@ -197,9 +197,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("first_length", "l L ell", r"lengths?|längen?|長さ?", "1 a"),
     ("first_diameter", "d D", r"diameters?|durchmesser|径", "1 a"),
     ("density", "rho varrho gamma", r"density|dichte|密度"),
-    ("own_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?|慣性モーメント",
+    ("own_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?|慣性モーメント",
      "1 2 a b A B"),
-    ("other_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("other_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント",
      "1 2 a b A B"),
     ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient"
@@ -214,7 +214,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("decrement", "Lambda delta vartheta theta", r"decrement|dekrement|減衰率"),
     ("order", "i k n nu j x z m", r"\border|ordnung|ordnungszahl|次数?|harmonic|per (?:turn|revolution)"),
     ("static_deflection", "delta f y x s w", r"(?:deflection|durchsenkung|durchbiegung|einsenkung)"
-     r"(?: (?:at|under|of|in|au|unter|am|an|der|des)\b[^,.;$]{0,30})?|たわみ"),
+     r"(?: (?:at|under|of|in|au|unter|am|an|der|des)\b[^,.;$=\\]{0,30})?|たわみ"),
     ("period", "T tau", r"period|time|dauer|zeit|周期"),
     ("arm", "s h a d e L l", r"distance|abstand|距離|length|länge|長さ"),
     ("gyration", "k i r rho", r"gyration|trägheitsradius|trägheitshalbmesser|回転半径"),

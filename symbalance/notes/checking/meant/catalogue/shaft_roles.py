@@ -37,7 +37,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("hang", "R r a", r"radius|distance|halbmesser|abstand|半径|距離"),
     ("bob", "l L r ell rho", r"length|länge|長さ"),
     ("mass_ratio", "mu gamma", r"(?:mass |inertia )?ratio|massenverhältnis|(?:質量|慣性)比"),
-    ("gear_ratio", "i u n", r"ratio|übersetzung\w*|変速比|減速比|歯車比"),
+    ("gear_ratio", "i u n", r"\b(?:turns|rotates|runs)|\bläuft|ratio|übersetzung\w*|変速比|減速比|歯車比"),
     ("wire", "d", r"wire(?:'s)?(?: of)?(?: the)? diameter|wire|diameter of the wire|draht(?:durchmesser)?"
      r"|線径"),
     ("coil", "D d_m D_m", r"(?:mean|coil|spring)(?: \w+)? diameter|diameter of (?:the|a) (?:coils?"

@@ -54,6 +54,25 @@ _SERIES = tuple(
     first_rate * other / (first_rate + other)
     for other in (gear_ratio**2 * second_rate, second_rate / gear_ratio**2)
 )
+_NOT_SERIES = (
+    first_rate * second_rate / (first_rate + second_rate),
+    first_rate * gear_ratio * second_rate / (first_rate + gear_ratio * second_rate),
+    first_rate * second_rate / (gear_ratio * first_rate + second_rate),
+    first_rate + gear_ratio**2 * second_rate, first_rate + second_rate / gear_ratio**2,
+    (gear_ratio**2 * second_rate - first_rate) / (first_rate * gear_ratio**2 * second_rate),
+    (gear_ratio**2 * second_rate + first_rate) / (first_rate * gear_ratio**2 * second_rate),
+)  # fmt: skip
+_STIFFNESS = words(
+    r"(?:equivalent\s+|torsional\s+|total\s+)*stiffness", r"equivalent\s+shaft",
+    r"(?:(?:feder|dreh|torsions|ersatz|gesamt)+)?steifigkeit", r"ばね定数", r"剛性",
+)  # fmt: skip
+_FASTER = both(
+    words(r"(?:shaft|rotor|welle)\W{0,4}(?:2|two|B|II)\W[^.]{0,30}\btimes\s+(?:as\s+fast|faster)"
+          r"|second\s+(?:shaft|one)\s[^.]{0,30}\btimes\s+(?:as\s+fast|faster)"
+          r"|welle\W{0,4}2\W[^.]{0,30}mal\s+so\s+schnell|軸\W{0,3}2\W[^。]{0,30}倍"),
+    words(r"(?:refer|reduc|as\s+seen|bezogen|reduzier|bezieh)\w*[^.]{0,40}(?:shaft|welle)\W{0,4}(?:1|one|A)\b"
+          r"|(?:refer|reduc)\w*[^.]{0,30}first\s+shaft|軸\W{0,3}1\W{0,3}に換算"),
+)  # fmt: skip
 
 TORSION: tuple[Quantity, ...] = (
     Quantity(
@@ -101,19 +120,14 @@ TORSION: tuple[Quantity, ...] = (
         together=(("own_inertia", "own_speed"), ("own_inertia", "own_teeth")),
     ),
     Quantity(
-        "stiffness of two shafts over a gear", letters("c k C K"),
-        words(r"(?:equivalent\s+|torsional\s+|total\s+)*stiffness", r"equivalent\s+shaft",
-              r"(?:(?:feder|dreh|torsions|ersatz|gesamt)+)?steifigkeit", r"ばね定数", r"剛性"),
-        _SERIES, ("minus",),
-        mistakes=(
-            first_rate * second_rate / (first_rate + second_rate),
-            first_rate * gear_ratio * second_rate / (first_rate + gear_ratio * second_rate),
-            first_rate * second_rate / (gear_ratio * first_rate + second_rate),
-            first_rate + gear_ratio**2 * second_rate, first_rate + second_rate / gear_ratio**2,
-            (gear_ratio**2 * second_rate - first_rate) / (first_rate * gear_ratio**2 * second_rate),
-            (gear_ratio**2 * second_rate + first_rate) / (first_rate * gear_ratio**2 * second_rate),
-        ),
-        only=GEARED, unless=words(r"three|drei|mesh|zahnsteif|parallel"),
+        "stiffness of two shafts over a gear", letters("c k C K"), _STIFFNESS, _SERIES, ("minus",),
+        mistakes=_NOT_SERIES, only=GEARED,
+        unless=words(r"three|drei|mesh|zahnsteif|parallel", _FASTER.pattern),
+    ),
+    Quantity(
+        "stiffness of a shaft and a faster one over a gear", letters("c k C K"), _STIFFNESS, _SERIES[:1],
+        ("minus",), mistakes=(*_NOT_SERIES, _SERIES[1]), only=both(GEARED, _FASTER),
+        unless=words(r"three|drei|mesh|zahnsteif|parallel"),
     ),
     Quantity(
         "torque behind a junction of two branches", letters("M T Q"),

@@ -38,6 +38,7 @@ from symbalance.notes.checking.meant.catalogue.shaft_roles import (
     windings,
     wire,
 )
+from symbalance.notes.checking.meant.catalogue.strength import both
 from symbalance.notes.checking.meant.catalogue.vibration import NATURAL_WORDS
 
 _BOTH = first_inertia * second_inertia
@@ -84,6 +85,15 @@ CRITICAL_WORDS = words(
     r"危険回転数", r"whirls?\b", r"lowest\s+(?:natural\s+)?frequency",
 )  # fmt: skip
 _PER_MINUTE = 30 / PI
+_NO_BENDING = words(r"torsional|drehschwing|ねじり|damp|order|ordnung|次")
+_BY_MINUTE = words(r"r(?:ev|ounds)?/min|\brpm|per\s+min(?:ute)?\b|by\s+minute|1/min|min\^?\{?-1|min⁻¹|pro\s+minute|je\s+minute|毎分")
+_BY_SECOND = words(r"r(?:ev)?/s\b|per\s+second|by\s+second|\bhertz\b|\bhz\b|1/s\b|pro\s+sekunde|毎秒")
+_NOT_TURNS = (
+    2 * _PER_MINUTE * root(stiffness / mass), 60 * root(stiffness / mass), root(stiffness * mass),
+    2 * _PER_MINUTE * root(gravity / static_deflection), root(gravity * static_deflection),
+    _PER_MINUTE / 30 * root(stiffness / mass), root(gravity / static_deflection) / _PER_MINUTE,
+    root(stiffness / mass) / _PER_MINUTE, _PER_MINUTE * root(static_deflection / gravity),
+)  # fmt: skip
 _CHAIN2 = 1 / first_speed**2 + 1 / second_speed**2
 _CHAIN3 = _CHAIN2 + 1 / third_speed**2
 _ADDED2 = 1 / first_speed + 1 / second_speed
@@ -151,17 +161,33 @@ TRAINS: tuple[Quantity, ...] = (
         unless=words(r"pendul|pendel|振り子|(?<!un)damp|(?<!un)gedämpf|減衰"),
     ),
     Quantity(
-        "critical speed of bending of a shaft", letters("n N omega Omega f w"), CRITICAL_WORDS,
-        (root(stiffness / mass), _PER_MINUTE * root(stiffness / mass), root(stiffness / mass) / (2 * PI),
-         root(gravity / static_deflection), _PER_MINUTE * root(gravity / static_deflection),
-         root(gravity / static_deflection) / (2 * PI)),
-        ("root", "turn"),
-        mistakes=(2 * _PER_MINUTE * root(stiffness / mass), 60 * root(stiffness / mass),
-                  2 * _PER_MINUTE * root(gravity / static_deflection), root(gravity * static_deflection),
+        "critical speed of bending of a shaft", letters("omega Omega w"), CRITICAL_WORDS,
+        (root(stiffness / mass), root(gravity / static_deflection)), ("root", "turn"),
+        mistakes=(_PER_MINUTE * root(gravity / static_deflection), root(gravity * static_deflection),
                   root(stiffness * mass), _PER_MINUTE / 30 * root(stiffness / mass),
-                  root(gravity / static_deflection) / _PER_MINUTE, root(stiffness / mass) / _PER_MINUTE,
-                  _PER_MINUTE * root(static_deflection / gravity)),
-        only=_WHIRLING, unless=words(r"torsional|drehschwing|ねじり|damp|order|ordnung|次"),
+                  root(gravity / static_deflection) / _PER_MINUTE, root(stiffness / mass) / _PER_MINUTE),
+        only=_WHIRLING, unless=_NO_BENDING,
+    ),
+    Quantity(
+        "critical speed of bending of a shaft in turns", letters("n N f"), CRITICAL_WORDS,
+        (_PER_MINUTE * root(stiffness / mass), root(stiffness / mass) / (2 * PI),
+         _PER_MINUTE * root(gravity / static_deflection), root(gravity / static_deflection) / (2 * PI)),
+        ("root", "turn"), mistakes=_NOT_TURNS, only=_WHIRLING,
+        unless=words(_NO_BENDING.pattern, _BY_MINUTE.pattern, _BY_SECOND.pattern),
+    ),
+    Quantity(
+        "critical speed of bending of a shaft in turns per minute", letters("n N f"), CRITICAL_WORDS,
+        (_PER_MINUTE * root(stiffness / mass), _PER_MINUTE * root(gravity / static_deflection)),
+        ("root", "turn"),
+        mistakes=(*_NOT_TURNS, root(stiffness / mass) / (2 * PI), root(gravity / static_deflection) / (2 * PI)),
+        only=both(_WHIRLING, _BY_MINUTE), unless=words(_NO_BENDING.pattern, _BY_SECOND.pattern),
+    ),
+    Quantity(
+        "critical speed of bending of a shaft in turns per second", letters("n N f"), CRITICAL_WORDS,
+        (root(stiffness / mass) / (2 * PI), root(gravity / static_deflection) / (2 * PI)), ("root", "turn"),
+        mistakes=(*_NOT_TURNS, _PER_MINUTE * root(stiffness / mass),
+                  _PER_MINUTE * root(gravity / static_deflection)),
+        only=both(_WHIRLING, _BY_SECOND), unless=words(_NO_BENDING.pattern, _BY_MINUTE.pattern),
     ),
     Quantity(
         "critical speed of two discs by Dunkerley", letters("n N omega Omega f"),

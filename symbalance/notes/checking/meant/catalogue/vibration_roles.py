@@ -11,8 +11,8 @@ from symbalance.document.formula import Name
 from symbalance.notes.checking.meant.catalogue.roles import Role, letters, words
 
 _SPEEDS = r"(?:angular )?(?:speed|velocity)|rpm|(?:winkel)?geschwindigkeit|drehzahl(?:en)?|回転(?:数|速度)|角速度"
-_INERTIA = r"inertia|trägheitsmomenten?|masse[ns]?|mass(?:es)?|慣性モーメント"
-_TORQUE = r"torques?|(?:dreh|torsions)?momente?n?|トルク"
+_INERTIA = r"inertia|trägheitsmoment(?:en?)?|masse[ns]?|mass(?:es)?|慣性モーメント"
+_TORQUE = r"torques?|(?<!trägheits)(?<!widerstands)momente?n?|(?<!慣性)モーメント|トルク"
 _PEAK = r"amplitudes?|peaks?|ausschl[aä]ge?|振幅|極大値?"
 _BODY = (
     r"(?:ones?|dis[ck]s?|rotors?|mass(?:es)?|inertia|of|has|have|with|each|the|scheiben?|masse[n]?|hat|haben|je|hanno|ha"
@@ -49,7 +49,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|(?:機械|全体?)の?質量"),
     ("eccentric_mass", "m m_u m_0 m_e m_r", r"(?:rotating|eccentric|unbalanced?|out-of-balance|exzentrische|rotierende"
      r"|umlaufende)[ -](?:mass|masse)|unwuchtmasse|(?:不釣り?合い|偏心|回転)の?質量"),
-    ("span", "L l b B", r"bearing (?:distance|spacing|span)|lagerabstand|bearings (?:are|at|stand)(?: \w+ apart)?|span"
+    ("span", "L l b B", r"bearing (?:distance|spacing|span)|lagerabstand|bearings (?:are|at|stand)(?: apart| distant)?|span"
      r"|distance (?:between|of) (?:the )?bearings|abstand der lager|lager(?: haben| sind)? (?:den )?(?:im )?abstand"
      r"|軸受間?の?(?:距離|間隔)"),
     ("couple_arm", "a b c s h l d", r"along the (?:axis|shaft)|apart|distances?|axial distance|abstand|距離|間隔"),

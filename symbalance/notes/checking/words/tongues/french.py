@@ -236,7 +236,7 @@ bearing: palier|roulement
 mass per length: masse (?:linéique|par unité de longueur)
 angular frequency: pulsations?(?! propres?| naturelle| amortie)
 diametrically opposite: diamétralement opposé\w*
-apart: distants? (?:de|l'un de l'autre)
+apart: distante?s? (?:de|l'une? de l'autre)
 along the axis: (?:le long|suivant la direction) de l'axe
 vibrates freely: oscille librement|vibre librement
 three discs: trois (?:disques|volants|masses)

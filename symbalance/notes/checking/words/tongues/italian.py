@@ -173,7 +173,7 @@ about its diameter: rispetto a un diametro|attorno a un diametro
 is: è|vale|risulta
 are: sono|valgono
 at the: al
-the: il|lo|la|gli|le|l'
+the: il|lo|la|gli|le|l'|i(?= \w{3,}i\b)
 a: una|uno|un
 of: della|dello|dell'|del|dei|delle|degli|di|d'
 and: ed
