@@ -62,7 +62,11 @@ def solved_sides(left: Formula, right: Formula) -> Iterator[Solved]:
         return
     if (ratio := _ratio_of(parts, left, right)) is not None:
         yield ratio
+    has_above = any(isinstance(base, Name) and exponent > 0 for base, exponent in parts)
+    kinds = [_kind(base.name) for base, exponent in parts if isinstance(base, Name) and exponent > 0]
     for k, (base, exponent) in enumerate(parts):
+        if has_above and (exponent < 0 or (isinstance(base, Name) and kinds.count(_kind(base.name)) > 1)):
+            continue  # of ω/Ω the words name the one above, and of l_1 l_2 either
         rest = [*parts[:k], *parts[k + 1 :]]
         others = names(right).union(*(names(other) for other, _ in rest))
         if not isinstance(base, Name) or base.name in others or exponent not in (1, -1, 2):
@@ -70,6 +74,10 @@ def solved_sides(left: Formula, right: Formula) -> Iterator[Solved]:
         moved, is_below = product_of(rest), exponent == -1
         claim = simple_product(moved, _ONE / right) if is_below else simple_product(right, _ONE / moved)
         yield Solved(base.name, base if is_below else product_of([(base, exponent)]), claim, moved, is_below)
+
+
+def _kind(letter: str) -> str:
+    return stem_of(letter).casefold()
 
 
 def _ratio_of(

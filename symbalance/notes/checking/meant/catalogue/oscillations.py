@@ -153,13 +153,13 @@ OSCILLATIONS: tuple[Quantity, ...] = (
         (_OF_CIRCLE / (4 * PI**2),), ("factor", "power", "part"),
         mistakes=(3 * _OF_CIRCLE / (4 * PI**2), _OF_CIRCLE / (2 * PI), _OF_CIRCLE / (16 * PI**2),
                   mass * gravity * string_circle**2 * strings / (4 * PI**2 * period**2)),
-        only=_TRIFILAR, unless=words(r"bifilar|zweifaden|inclin|platform|plattform|unequal"),
+        only=_TRIFILAR, unless=words(r"bifilar|zweifaden|inclin|platform|plattform|unequal|\beach\b|\bper\s+wire|\bjede\w*|\bje\s"),
     ),
     Quantity(
         "period of a trifilar suspension", letters("T tau"), _INERTIA,
         (2 * PI / string_circle * root(inertia * strings / (mass * gravity)),), ("factor", "power", "root", "part"),
         mistakes=(2 * PI * string_circle * root(inertia * strings / (mass * gravity)),),
-        only=_TRIFILAR, unless=words(r"bifilar|zweifaden|inclin|platform|plattform|unequal"),
+        only=_TRIFILAR, unless=words(r"bifilar|zweifaden|inclin|platform|plattform|unequal|\beach\b|\bper\s+wire|\bjede\w*|\bje\s"),
     ),
     Quantity(
         "frequency ratio for a transmissibility", letters("r eta u beta nu lambda"),
@@ -169,7 +169,7 @@ OSCILLATIONS: tuple[Quantity, ...] = (
         mistakes=(root(1 - 1 / transmission), root(1 + transmission), 1 + 1 / transmission,
                   root(1 / transmission), root(1 / transmission - 1), 1 / transmission),
         only=words(r"transmiss|isolat|durchlässig|isolier|伝達[率比]|防振"),
-        unless=words(r"(?<!un)damp(?!ing\s+(?:is\s+)?(?:neglect|ignor))|(?<!un)gedämpft|mit\s+dämpfung|減衰を考慮"),
+        unless=words(r"(?<!un)damped|(?<!un)gedämpft|damping\s+ratio|(?<!out\s)(?<!no\s)damping\s+of|mit\s+dämpfung|減衰を考慮|減衰比"),
     ),
     Quantity(
         "angular frequency at which an undamped absorber stops a mass", letters("omega Omega w"),

@@ -172,6 +172,6 @@ ROTORS: tuple[Quantity, ...] = (
                   60 * order / frequency, 30 * omega * order / PI),
         only=both(words(r"rev/min|r/min|\brpm|per\s+min|1/min|min\^|min-1|/min|毎分"), words(r"order|ordnung|次数?|per\s+revolution"), _MEETS),
         unless=words(r"whirl|biegekritisch|per\s+cycle|je\s+arbeitsspiel|per\s+two\s+(?:turns|revolutions)|gear|getriebe|half[- ]speed"
-                     r"|camshaft|nockenwelle|four[- ]stroke|viertakt"),
+                     r"|camshaft|nockenwelle|four[- ]stroke|viertakt|working\s+cycle|of\s+two\s+turns|arbeitsspiel|サイクル"),
     ),
 )  # fmt: skip

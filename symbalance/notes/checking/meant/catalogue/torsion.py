@@ -101,7 +101,7 @@ TORSION: tuple[Quantity, ...] = (
             for part in (shaft_inertia / 2, shaft_inertia, -shaft_inertia / 3, 3 * shaft_inertia,
                          shaft_inertia / 4, 2 * shaft_inertia / 3)
         ),
-        only=_OWN_MASS,
+        only=_OWN_MASS, subscripts=(("shaft_inertia", "s sh w W S f F sp"),),
         unless=words(r"cantilever|kragarm|片持|bending|biege|曲げ|lateral|two\s+dis[ck]s|zwei\s+scheiben"
                      r"|both\s+ends|middle|mitte"),
     ),

@@ -27,19 +27,18 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("other_speed", "n N omega Omega", _SPEEDS, "1 2 a b A B"),
     ("own_teeth", "z Z", r"teeth|zähne\w*|歯数", "1 2 a b A B"),
     ("other_teeth", "z Z", r"teeth|zähne\w*|歯数", "1 2 a b A B"),
-    ("middle_inertia", "J I Theta m M", rf"(?:middle|central\w*|mittler\w*|中央|中間)(?:\s?{_BODY})*", "0 m c 2 M"),
-    ("outer_inertia", "J I Theta m M", rf"(?:(?:outer|outside|extern\w*|estern\w*|äußere\w*|両端|外側)(?:\s?{_BODY})*"
-     rf"|\bend(?:\s{_BODY})+)", "", "0 m c 2 M"),
-    ("shaft_inertia", "J I Theta m M", r"(?:(?:\bown|eigene\w*|shaft(?:'s)?|spring(?:'s)?|wellen?|feder)\b[^,.;$]{0,30}"
-     rf"(?:{_INERTIA}))|federmasse|(?:{_INERTIA}) (?:of|der) (?:the )?(?:shaft|spring|welle|feder)"
-     r"|軸(?:自身)?の慣性モーメント|ばね(?:自身)?の質量", "s sh w W S f F sp"),
+    ("middle_inertia", "J I Theta m M", rf"(?:middle|central\w*|mittler\w*|中央|中間)(?:\s?{_BODY})+"
+     r"|(?:quello|quella|celui|die|der) (?:del |du )?(?:centrale|milieu|mittleren?)", "0 m c 2 M"),
+    ("outer_inertia", "J I Theta m M",
+     rf"(?:\bouter|\bend|outside|extern\w*|estern\w*|äußere\w*|両端|外側)(?:\s?{_BODY})+", "", "0 m c 2 M"),
+    ("shaft_inertia", "J I Theta m M", rf"{_INERTIA}|federmasse|wellenmasse", "s sh w W S f F sp"),
     ("first_torque", "M T Q", _TORQUE, "a A 1 l"),
     ("second_torque", "M T Q", _TORQUE, "b B 2 r"),
     ("transmission", "T tau V TR T_R D i epsilon K", r"transmissib\w*|(?:振動|力の?)?伝達[率比]|durchlässigkeit\w*"
      r"|übertragungs\w+|transmission (?:ratio|factor)"),
     ("first_peak", "x X a A y theta vartheta varphi phi u q", _PEAK, "0 1 i"),
     ("later_peak", "x X a A y theta vartheta varphi phi u q", _PEAK, "n N m k 2 j"),
-    ("cycles", "n N m k j", r"(?:full |complete )?cycles|サイクル(?:数)?"),
+    ("cycles", "n N m k j", r"(?:full |complete )?cycles|apart|サイクル(?:数)?"),
     ("whole_swing", "x s d X", r"peak[- ]to[- ]peak(?:\s+\w+)?|schwingweite|double amplitude|doppelamplitude"
      r"|(?:全|両)振幅", "pp ss PP"),
     ("displacement", "x y s z q u", r"displacement|deflection|elongation|auslenkung|変位|distance"),
