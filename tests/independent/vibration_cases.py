@@ -1,4 +1,4 @@
-"""Numbers for trains, rotors, pendulums and free swings by other routes: eigenvalues, balances, paths in time."""
+"""Numbers for trains, rotors and free swings by other routes: eigenvalues, balances, paths in time."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ TWO_NODES = frequencies(["0.3", "0.7", "0.3"], [5000, 5000])[-1]
 OWN = {"stiffness": RATE, "inertia": F(2), "mass": F(2), "shaft_inertia": F(3, 10)}
 LINEAR_TWIST = mp.sqrt(5000 / (2 + mp.quad(lambda x: mpf("0.3") * x**2, [0, 1])))
 GEARED = {
-    "own_inertia": F(2), "other_inertia": F(3), "own_speed": F(50), "other_speed": F(20), "own_teeth": F(20),
+    "own_inertia": F(2), "other_inertia": F(3), "own_speed": F(50), "other_speed": F(20),
+    "own_teeth": F(20),
     "other_teeth": F(50),
 }  # fmt: skip
 BY_ENERGY = 2 * (mpf(2) * 50**2 / 2) / 20**2
@@ -40,13 +41,20 @@ PAIR = {"first_rate": F(500), "second_rate": F(700), "gear_ratio": F(3)}
 FAST = 1 / (mpf(1) / 500 + (mpf(1) / 3 / 700) / 3)  # the second carries a third of the torque
 SLOW = 1 / (mpf(1) / 500 + (mpf(3) / 700) * 3)
 JUNCTION = {
-    "first_torque": F(40), "second_torque": F(70), "inertia": F(2), "omega": F(30), "amplitude_before": F(1, 50),
+    "first_torque": F(40), "second_torque": F(70), "inertia": F(2), "omega": F(30),
+    "amplitude_before": F(1, 50),
 }  # fmt: skip
 REACHED = 40 + 70 - 2 * mp.diff(lambda t: mp.sin(30 * t) / 50, mp.pi / 60, 2)
 
 # Rotors
 
-DISC = {"density": F(7850), "omega": F(300), "radius": F(3, 10), "diameter": F(6, 10), "poisson": F(3, 10)}
+DISC = {
+    "density": F(7850),
+    "omega": F(300),
+    "radius": F(3, 10),
+    "diameter": F(6, 10),
+    "poisson": F(3, 10),
+}
 _E, _NU, _PULL = mpf(21) * 10**10, mpf("0.3"), mpf(7850) * 300**2
 _CUBIC = -_PULL * (1 - _NU**2) / _E / 8  # of u = a r + b r³ in r² u'' + r u' - u = -ρ ω² (1 - ν²) r³/E
 _LINEAR = -_CUBIC * mpf("0.09") * (3 + _NU) / (1 + _NU)  # no stress at the edge
@@ -69,7 +77,8 @@ def sag(place):
 
 
 SPUN = {
-    "driving": F(90), "natural": F(120), "tuning": F(3, 4), "eccentricity": F(2, 1000), "damping_ratio": F(1, 10),
+    "driving": F(90), "natural": F(120), "tuning": F(3, 4), "eccentricity": F(2, 1000),
+    "damping_ratio": F(1, 10),
     "eccentric_mass": F(3), "machine_mass": F(200),
 }  # fmt: skip
 BOWED = mp.findroot(lambda y: 120**2 * y - 90**2 * (y + mpf("0.002")), mpf("0.003"))
@@ -83,7 +92,9 @@ COUPLE = {
     "unbalanced": F(1, 5), "crank": F(1, 10), "omega": F(90), "couple_arm": F(2, 10), "span": F(8, 10),
 }  # fmt: skip
 _PULL_OF_ONE = mpf("0.02") * 90**2
-AT_BEARING = (_PULL_OF_ONE * mpf("0.5") - _PULL_OF_ONE * mpf("0.3")) / mpf("0.8")  # moments about the other
+AT_BEARING = (_PULL_OF_ONE * mpf("0.5") - _PULL_OF_ONE * mpf("0.3")) / mpf(
+    "0.8"
+)  # moments about the other
 FASTER = {"driving": F(200), "natural": F(120), "tuning": F(5, 3)}
 SWUNG = abs(1 / (1 - (mpf(200) / 120) ** 2))
 MET = {"frequency": F(75), "order": F(9, 2), "omega": exact(150 * mp.pi)}
@@ -102,7 +113,8 @@ LEHR = mpf("0.05")
 ROOTS = mp.polyroots([1, 2 * LEHR * 40, 1600])
 TURNS = abs(ROOTS[0].imag)
 PEAKS = {
-    "first_peak": F(3), "later_peak": exact(3 * mp.exp(ROOTS[0].real * 4 * 2 * mp.pi / TURNS)), "cycles": F(4),
+    "first_peak": F(3), "later_peak": exact(3 * mp.exp(ROOTS[0].real * 4 * 2 * mp.pi / TURNS)),
+    "cycles": F(4),
 }  # fmt: skip
 NEXT_PEAK = {"first_peak": F(3), "later_peak": exact(3 * mp.exp(ROOTS[0].real * 2 * mp.pi / TURNS))}
 DECREMENT = 2 * mp.pi / TURNS * 40 * LEHR
@@ -129,7 +141,8 @@ ABSORBER = {"stiffness": F(800), "mass": F(2), "inertia": F(2)}
 STOPPED = mp.findroot(lambda w: 800 - 2 * w**2, 21)  # the absorber's own spring holds the force
 
 VIBRATIONS = {
-    "natural angular frequency of the two-node mode of three discs alike at the ends": [(THREE, TWO_NODES)],
+    "natural angular frequency of the two-node mode of three discs alike at the ends": [(THREE,
+    TWO_NODES)],
     "natural angular frequency with the inertia of the shaft itself": [(OWN, LINEAR_TWIST)],
     "moment of inertia reduced over a gear by the speeds": [(GEARED, BY_ENERGY), (GEARED, 3 + BY_ENERGY)],
     "stiffness of two shafts over a gear": [(PAIR, FAST), (PAIR, SLOW)],

@@ -433,7 +433,9 @@ def _by_named_inverse(
     if isinstance(outcome, Verdict) and outcome.verdict == REFUTED:
         if name is not None:
             state.definitions.lapse(name)
-        for letter in () if name is not None else (*names(chain.sides[0].node), *names(chain.sides[1].node)):
+        for letter in (
+            () if name is not None else (*names(chain.sides[0].node), *names(chain.sides[1].node))
+        ):
             state.definitions.forget_line(letter, chain.lines[0])
     return outcome
 

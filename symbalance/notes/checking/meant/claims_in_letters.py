@@ -56,7 +56,7 @@ def with_sizes(claim: Formula, knowledge: Knowledge) -> Formula:
 
 
 def with_ratios(claim: Formula, knowledge: Knowledge) -> Formula:
-    """Return a formula with each letter put in that the page defines as n_1/n_2, a ratio of two of one kind."""
+    """Return a formula with each letter put in that the page defines as a ratio n_1/n_2 of one kind."""
     for letter in sorted(names(claim)):
         definition = knowledge.definitions.get(letter)
         node = None if definition is None or definition.numeric else definition.node

@@ -1,7 +1,7 @@
 """Relations solved for one of several letters of a side: n of i n = 60 f, ω_p of ω_p/Ω = √(R/l).
 
-A side that is a product or a quotient gives each of its letters a value. What words name is one of them, or
-the ratio of two of one kind, Θ_max/Θ_st.
+A side that is a product or a quotient gives each of its letters a value. What words name is one of
+them, or the ratio of two of one kind, Θ_max/Θ_st.
 """
 
 from __future__ import annotations
@@ -73,16 +73,16 @@ def solved_sides(left: Formula, right: Formula) -> Iterator[Solved]:
             continue
         moved, is_below = product_of(rest), exponent == -1
         claim = simple_product(moved, _ONE / right) if is_below else simple_product(right, _ONE / moved)
-        yield Solved(base.name, base if is_below else product_of([(base, exponent)]), claim, moved, is_below)
+        yield Solved(
+            base.name, base if is_below else product_of([(base, exponent)]), claim, moved, is_below
+        )
 
 
 def _kind(letter: str) -> str:
     return stem_of(letter).casefold()
 
 
-def _ratio_of(
-    parts: list[tuple[Formula, Fraction]], left: Formula, right: Formula
-) -> Solved | None:
+def _ratio_of(parts: list[tuple[Formula, Fraction]], left: Formula, right: Formula) -> Solved | None:
     """Return a relation for the ratio of two letters of one kind: c/c_c, Θ_max/Θ_st squared."""
     if len(parts) != 2 or not all(isinstance(base, Name) for base, _ in parts):
         return None

@@ -37,7 +37,8 @@ _OF_MORE = re.compile(
     re.IGNORECASE,
 )
 _OF_SIGNED = re.compile(
-    r"mode[- ]?(?:shape|vector)|eigen(?:vector|vektor|form|mode)|固有モード|with\s+(?:their|its|the|due)\s+signs?"
+    r"mode[- ]?(?:shape|vector)|eigen(?:vector|vektor|form|mode)|固有モード|with\s+(?:their|its|the"
+    r"|due)\s+signs?"
     r"|\bsigned|vorzeichen|con\s+su\s+signo|avec\s+(?:leurs?|son)\s+signes?|col\s+(?:loro|suo)\s+segno|符号(?:を含|つき|付き|も)"
     r"|com\s+(?:seu\s+)?sinal|opposite",
     re.IGNORECASE,

@@ -53,7 +53,8 @@ FORCED: tuple[Quantity, ...] = (
               r"übertragungs(?:funktion|faktor|maß|verhältnis)", r"(?:力|振動)?の?伝達[率比]",
               r"transmisibilidad", r"trasmissibilità",
               r"(?:part|share|fraction|ratio)\s+of\s+the\s+(?:\w+\s+){0,2}force\s+(?:that|which)\s+(?:reaches|is"
-              r"\s+(?:passed|transmitted)|gets|goes)", r"force\s+(?:that|which)\s+reaches\s+the\s+(?:ground|foundation|floor)",
+              r"\s+(?:passed|transmitted)|gets|goes)",
+              r"force\s+(?:that|which)\s+reaches\s+the\s+(?:ground|foundation|floor)",
               r"anteil\s+der\s+(?:\w+)?kraft\w*", r"(?:基礎|床)に伝わる力の(?:割合|比)"),
         (root(_PASSED / _BELOW), root(_PASSED) / root(_BELOW), root((1 + _LOSS**2) / (_SPREAD
         + _LOSS**2)),
@@ -94,13 +95,16 @@ FORCED: tuple[Quantity, ...] = (
     Quantity(
         "lag of a forced vibration behind its force",
         letters("phi varphi psi epsilon varepsilon delta alpha theta"),
-        words(r"(?:phase\s+)?lags?\b", r"\blag(?:s|ging)?\b", r"nacheil\w*", r"phase(?:\s+(?:angle|lag|shift|difference))?",
+        words(r"(?:phase\s+)?lags?\b", r"\blag(?:s|ging)?\b", r"nacheil\w*",
+        r"phase(?:\s+(?:angle|lag|shift|difference))?",
               r"phasen(?:winkel|verschiebung\w*|nacheil\w*|lage)", r"位相(?:角|差|遅れ)?"),
         (Call("atan", _LOSS / (1 - tuning**2)),
          Call("atan", damping * omega / (stiffness - mass * omega**2))),
         ("edit", "factor"),
-        mistakes=(Call("atan", _LOSS / (tuning**2 - 1)), Call("atan", damping_ratio * tuning / (1 - tuning**2)),
-                  Call("atan", damping * omega / (mass * omega**2 - stiffness)), Call("atan", _LOSS / (1 + tuning**2)),
+        mistakes=(Call("atan", _LOSS / (tuning**2 - 1)), Call("atan",
+        damping_ratio * tuning / (1 - tuning**2)),
+                  Call("atan", damping * omega / (mass * omega**2 - stiffness)), Call("atan",
+                  _LOSS / (1 + tuning**2)),
                   Call("atan", (1 - tuning**2) / _LOSS)),
         only=words(r"\blag(?:s|ging)?\b|\bbehind\b|retard|nacheil|hinter|遅れ|retraso|ritardo|atraso"),
         unless=words(r"base|fußpunkt|基礎|hysteretic|structural|velocity|geschwindigkeit|transmi"
@@ -182,7 +186,8 @@ FORCED: tuple[Quantity, ...] = (
         (PI * excitation * amplitude,), ("factor", "part"),
         mistakes=(PI * excitation * amplitude**2, excitation * amplitude),
         only=both(words(r"resonan|resonanz|90\W{0,3}(?:°|degrees|\^|grad)|quarter\s+(?:of\s+a\s+)?(?:cycle|period)|共振"),
-                  words(r"(?:per|in (?:one|a|each)|during (?:one|a|each)|over (?:one|a)) (?:full )?(?:cycle|period|vibration"
+                  words(r"(?:per|in (?:one|a|each)|during (?:one|a|each)|over (?:one"
+                  r"|a)) (?:full )?(?:cycle|period|vibration"
                         r"|oscillation)|(?:je|pro) (?:schwingung|periode)|[1一](?:周期|サイクル)")),
         unless=words(r"power|leistung|動力|all cylinders|sum|gas"),
     ),
@@ -209,12 +214,14 @@ FORCED: tuple[Quantity, ...] = (
     ),
     Quantity(
         "optimum damping of a tuned absorber", letters("zeta D xi vartheta theta delta ∕"),
-        words(r"optim\w+\s+damping(?:\s+ratio)?", r"damping\s+optim\w+", r"damping(?:\s+ratio)?", r"optimale\s+dämpfung\w*",
+        words(r"optim\w+\s+damping(?:\s+ratio)?", r"damping\s+optim\w+", r"damping(?:\s+ratio)?",
+        r"optimale\s+dämpfung\w*",
               r"dämpfungs(?:grad|maß)", r"最適減衰比?"),
         (root(3 * mass_ratio / (8 * (1 + mass_ratio) ** 3)),), ("edit", "root"),
         mistakes=(root(3 * mass_ratio / (8 * (1 + mass_ratio) ** 2)), 3 * mass_ratio
                   / (8 * (1 + mass_ratio) ** 3), root(8 * mass_ratio / (3 * (1 + mass_ratio) ** 3)),
-                  root(3 / (8 * (1 + mass_ratio) ** 3)), root(3 * mass_ratio / (8 * (1 - mass_ratio) ** 3)),
+                  root(3 / (8 * (1 + mass_ratio) ** 3)),
+                  root(3 * mass_ratio / (8 * (1 - mass_ratio) ** 3)),
                   root(3 * mass_ratio / (4 * (1 + mass_ratio) ** 3))),
         others=(root(3 * mass_ratio / (8 * (1 + mass_ratio))), root(mass_ratio / (8 * (1 + mass_ratio))),
                 root(3 * mass_ratio / 8)),
@@ -246,7 +253,8 @@ FORCED: tuple[Quantity, ...] = (
         "order to which a pendulum is tuned", letters("n q i k m j p N nu"),
         words(r"\border", r"\bordnung(?:szahl)?", r"次数", r"tun(?:ed|ing)", r"abgestimmt", r"abstimm\w*",
               r"同調"),
-        (root(hang / bob),), ("root", "edit", "turn"), mistakes=(root(bob / hang), hang / bob, bob / hang, root((hang + bob) / bob)),
+        (root(hang / bob),), ("root", "edit", "turn"), mistakes=(root(bob / hang), hang / bob,
+        bob / hang, root((hang + bob) / bob)),
         others=(root((hang - bob) / bob), root(hang / bob - 1)),
         only=_PENDULUM, unless=words(r"roller|bifilar|spring|feder|ばね|radius of gyration"
         r"|trägheitsradius"),

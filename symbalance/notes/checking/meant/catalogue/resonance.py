@@ -185,7 +185,8 @@ RESONANCE: tuple[Quantity, ...] = (
                   PI**2 * root(mass_per_length * length**4 / (young * section)),
                   PI / 2 * root(young * section / (mass_per_length * length**4))),
         only=_UNIFORM_SHAFT,
-        unless=words(r"clamped|built[- ]in|fixed|eingespannt|固定|cantilever|kragarm|overhung|second(?!\s+moment)"
+        unless=words(r"clamped|built[- ]in|fixed|eingespannt|固定|cantilever|kragarm|overhung"
+        r"|second(?!\s+moment)"
         r"|zweite|disc"
                      r"|scheibe|円板|free-free"),
     ),

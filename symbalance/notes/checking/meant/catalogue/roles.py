@@ -197,7 +197,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("first_length", "l L ell", r"lengths?|längen?|長さ?", "1 a"),
     ("first_diameter", "d D", r"diameters?|durchmesser|径", "1 a"),
     ("density", "rho varrho gamma", r"density|dichte|密度"),
-    ("own_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?|慣性モーメント",
+    ("own_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
+    r"|慣性モーメント",
      "1 2 a b A B"),
     ("other_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント",

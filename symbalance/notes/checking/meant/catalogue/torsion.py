@@ -1,4 +1,4 @@
-"""Trains of discs that swing in torsion: three discs alike at the ends, gears by speeds, a shaft's own mass."""
+"""Trains of discs that swing in torsion: three discs, gears by the speeds, a shaft's own mass."""
 
 from __future__ import annotations
 
@@ -32,7 +32,8 @@ from symbalance.notes.checking.meant.catalogue.vibration_roles import (
 )
 
 _THREE = words(
-    r"\bthree[- ](?:\w+\s+)?(?:dis[ck]|rotor|mass|inertia|flywheel)", r"\bdrei[- ]?(?:\w+\s+)?(?:scheiben|massen|drehmassen)",
+    r"\bthree[- ](?:\w+\s+)?(?:dis[ck]|rotor|mass|inertia|flywheel)",
+    r"\bdrei[- ]?(?:\w+\s+)?(?:scheiben|massen|drehmassen)",
     r"(?:3|三|３)(?:つの|個の|枚の)?(?:円板|慣性|質点)", r"(?:outer|end)\s+dis[ck]s",
 )  # fmt: skip
 _IN_PHASE = words(
@@ -47,7 +48,8 @@ _OWN_MASS = words(
     r"レイリー", r"軸(?:自身)?の慣性", r"ばね(?:自身)?の質量",
 )  # fmt: skip
 _REDUCED = words(
-    r"reduced", r"reduziert\w*", r"referred", r"bezogen\w*", r"equivalent", r"換算", r"as\s+seen\s+(?:at|from|by)",
+    r"reduced", r"reduziert\w*", r"referred", r"bezogen\w*", r"equivalent", r"換算",
+    r"as\s+seen\s+(?:at|from|by)",
     r"inertia", r"trägheitsmoment", r"drehmasse", r"慣性モーメント",
 )  # fmt: skip
 _SERIES = tuple(
@@ -137,7 +139,8 @@ TORSION: tuple[Quantity, ...] = (
                   (first_torque + second_torque + inertia * omega**2 * amplitude_before) / 2,
                   first_torque + second_torque + inertia * omega**2,
                   first_torque + second_torque + inertia * amplitude_before),
-        only=both(words(r"junction|branch|verzweig|分岐"), words(r"holzer|free\s+ends?|freien?\s+enden?|自由端")),
+        only=both(words(r"junction|branch|verzweig|分岐"),
+        words(r"holzer|free\s+ends?|freien?\s+enden?|自由端")),
         unless=words(r"gear|getriebe|歯車|opposite\s+sign|entgegengesetzt"),
     ),
 )  # fmt: skip

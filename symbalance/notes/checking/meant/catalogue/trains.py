@@ -59,7 +59,8 @@ _TWO_DISCS = words(
     r"|диск)",
 )  # fmt: skip
 _HELD = words(
-    r"clamped|eingespannt|\bfixed\b|rigid(?![- ]body)|starr(?!körper)|固定|\bthree|\bdrei|\b3 |(?<!un)damped|(?<!un)gedämpf"
+    r"clamped|eingespannt|\bfixed\b|rigid(?![- ]body)|starr(?!körper)|固定|\bthree|\bdrei|\b3 "
+    r"|(?<!un)damped|(?<!un)gedämpf"
     r"|減衰|pendul|in phase"
     r"|gear|getriebe|spring of the mount|translat|same (?:side|end)"
 )
@@ -86,7 +87,9 @@ CRITICAL_WORDS = words(
 )  # fmt: skip
 _PER_MINUTE = 30 / PI
 _NO_BENDING = words(r"torsional|drehschwing|ねじり|damp|order|ordnung|次")
-_BY_MINUTE = words(r"r(?:ev|ounds)?/min|\brpm|per\s+min(?:ute)?\b|by\s+minute|1/min|min\^?\{?-1|min⁻¹|pro\s+minute|je\s+minute|毎分")
+_BY_MINUTE = words(
+    r"r(?:ev|ounds)?/min|\brpm|per\s+min(?:ute)?\b|by\s+minute|1/min|min\^?\{?-1|min⁻¹|pro\s+minute|je\s+minute|毎分"
+)
 _BY_SECOND = words(r"r(?:ev)?/s\b|per\s+second|by\s+second|\bhertz\b|\bhz\b|1/s\b|pro\s+sekunde|毎秒")
 _NOT_TURNS = (
     2 * _PER_MINUTE * root(stiffness / mass), 60 * root(stiffness / mass), root(stiffness * mass),
@@ -139,7 +142,8 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
 TRAINS: tuple[Quantity, ...] = (
     Quantity(
         "natural angular frequency of two discs on a shaft", letters("omega Omega w p"), FREQUENCY_WORDS,
-        (_FREE,), ("root", "turn", "minus"), mistakes=_NOT_FREE, only=_TWO_DISCS, unless=_HELD, is_told_once=True,
+        (_FREE,), ("root", "turn", "minus"), mistakes=_NOT_FREE, only=_TWO_DISCS, unless=_HELD,
+        is_told_once=True,
         context=words(r"torsion|two[- ](?:mass|dis[ck])|zweimassen|drehschwing|stiffness|steif"
                       r"|ねじり|node|knoten"),
         indices=letters("0 e n 1 2"),
@@ -179,12 +183,14 @@ TRAINS: tuple[Quantity, ...] = (
         "critical speed of bending of a shaft in turns per minute", letters("n N f"), CRITICAL_WORDS,
         (_PER_MINUTE * root(stiffness / mass), _PER_MINUTE * root(gravity / static_deflection)),
         ("root", "turn"),
-        mistakes=(*_NOT_TURNS, root(stiffness / mass) / (2 * PI), root(gravity / static_deflection) / (2 * PI)),
+        mistakes=(*_NOT_TURNS, root(stiffness / mass) / (2 * PI),
+        root(gravity / static_deflection) / (2 * PI)),
         only=both(_WHIRLING, _BY_MINUTE), unless=words(_NO_BENDING.pattern, _BY_SECOND.pattern),
     ),
     Quantity(
         "critical speed of bending of a shaft in turns per second", letters("n N f"), CRITICAL_WORDS,
-        (root(stiffness / mass) / (2 * PI), root(gravity / static_deflection) / (2 * PI)), ("root", "turn"),
+        (root(stiffness / mass) / (2 * PI), root(gravity / static_deflection) / (2 * PI)), ("root",
+        "turn"),
         mistakes=(*_NOT_TURNS, _PER_MINUTE * root(stiffness / mass),
                   _PER_MINUTE * root(gravity / static_deflection)),
         only=both(_WHIRLING, _BY_SECOND), unless=words(_NO_BENDING.pattern, _BY_MINUTE.pattern),
@@ -246,7 +252,8 @@ TRAINS: tuple[Quantity, ...] = (
         r"feder(?:rate|konstante|steifigkeit)",
               r"ばね定数"),
         (shear * wire**4 / (8 * windings * coil**3),), ("power", "factor"),
-        mistakes=(shear * wire**4 / (8 * windings**2 * coil**3), shear * wire**3 / (8 * windings * coil**4)),
+        mistakes=(shear * wire**4 / (8 * windings**2 * coil**3),
+        shear * wire**3 / (8 * windings * coil**4)),
         only=_COILED, unless=words(r"parallel|series|reihe|two springs|nested|radius|torsion spring"
         r"|drehfeder"),
     ),

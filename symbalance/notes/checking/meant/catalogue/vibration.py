@@ -124,7 +124,8 @@ VIBRATION: tuple[Quantity, ...] = (
     Quantity(
         "critical damping", letters("d c b r k"),
         words(r"critical\s+damping(?:\s+(?:constant|coefficient))?", r"kritische\s+dämpfung\w*",
-              r"臨界減衰(?:係数)?", r"aperiodische\w*\s+grenzfall\w*", r"aperiodic\s+limit", r"critically\s+damped",
+              r"臨界減衰(?:係数)?", r"aperiodische\w*\s+grenzfall\w*", r"aperiodic\s+limit",
+              r"critically\s+damped",
               r"ceases?\s+to\s+oscillate|just\s+(?:no\s+longer|not)\s+oscillat\w+", r"臨界減衰となる"),
         (2 * root(mass * stiffness), 2 * mass * omega, 2 * root(inertia * stiffness),
         2 * inertia * omega),
