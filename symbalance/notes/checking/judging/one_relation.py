@@ -422,16 +422,21 @@ def _as_another_named(state: JudgingState, chain: Chain, k: int, knowledge: Know
 def _by_named_inverse(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
 ) -> Verdict | Decision | None:
-    """Return the verdict on ω² = … or 1/c = … by the quantity that words name.
+    """Return the verdict on ω² = …, 1/c = … or i n = 60 f by the quantity that words name.
 
     Nothing rests on a wrong one.
     """
     name = head_of(chain.sides[k].node)
-    if k or name is None or isinstance(chain.sides[0].node, Name):
+    if k or isinstance(chain.sides[0].node, Name):
         return None
     outcome = state.named.judge(chain, k, knowledge)
     if isinstance(outcome, Verdict) and outcome.verdict == REFUTED:
-        state.definitions.lapse(name)
+        if name is not None:
+            state.definitions.lapse(name)
+        for letter in (
+            () if name is not None else (*names(chain.sides[0].node), *names(chain.sides[1].node))
+        ):
+            state.definitions.forget_line(letter, chain.lines[0])
     return outcome
 
 

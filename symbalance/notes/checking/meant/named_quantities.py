@@ -56,6 +56,7 @@ from symbalance.notes.checking.meant.claims_in_letters import (
     name_of_head,
     outside_calls,
     with_exact_halves,
+    with_ratios,
     with_sizes,
     without_plus_minus,
 )
@@ -80,6 +81,7 @@ from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
 from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimension
+from symbalance.notes.checking.meant.solved_sides import Solved, solved_sides
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
@@ -192,7 +194,7 @@ _WITHOUT_UNIT = (
     "crank_angle", "turned_angle",
 )  # fmt: skip
 """Roles of numbers that have no unit."""
-_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan", "ln")
 
 
 @dataclass
@@ -262,6 +264,8 @@ class NamedQuantities:
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         is_first = k == 0 and chain.relations[0].sign in "=≈"
         name = (name_of_head(left) or head_of(left) or "") if is_first else ""
+        if is_first and not name:
+            return self._solved(chain, knowledge)
         right = without_plus_minus(right)
         chain = replace(
             chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
@@ -283,11 +287,43 @@ class NamedQuantities:
             reason = f"whether its words name a standard formula was not decided within {problem.spent}"
             return Decision(DEFINITION, reason)
 
+    def _solved(self, chain: Chain, knowledge: Knowledge) -> Verdict | Decision | None:
+        """Return the verdict on a relation that gives one of several letters a value, i n = 60 f.
+
+        It is judged as solved for each of them. A proof of one says more than that another is wrong.
+        """
+        first, second = chain.sides[0], chain.sides[1]
+        found: Verdict | None = None
+        for solved in solved_sides(first.node, without_dots(second.node)[0]):
+            sides = (Side((solved.left,), first.span), Side((solved.right,), second.span))
+            outcome = self.judge(replace(chain, sides=(*sides, *chain.sides[2:])), 0, knowledge)
+            if isinstance(outcome, Decision):
+                return outcome
+            found = found or (outcome and self._as_written(chain, solved, outcome))
+        return found
+
+    def _as_written(self, chain: Chain, solved: Solved, verdict: Verdict) -> Verdict:
+        """Return the verdict on a relation solved for a letter as one on the relation as it stands."""
+        side = chain.sides[1]
+        shown = replace(
+            verdict, source=self.document.shown(side.node, side.span), node=side.node,
+            claimed=formula_text(side.node, plain=True), exact="", exact_node=None, differences=(),
+        )  # fmt: skip
+        if verdict.fix is None:
+            return shown
+        node = solved.as_written(verdict.fix.node)
+        repair = Repair(verdict.fix.kind, node, ((side.node, node),), 1.0)
+        return replace(shown, fix=fix_of(repair, self.document, side))
+
     def _judge_both(
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
     ) -> Verdict | Decision | None:
         """Return the verdict on a formula as it stands, or else with the products above put in."""
         outcome = self._share_of_plane(chain, name, claim)
+        by_speeds = with_ratios(claim, knowledge)
+        if outcome is None and by_speeds != claim and len(names(by_speeds)) <= MOST_LETTERS:
+            sides = (chain.sides[0], Side((by_speeds,), chain.sides[1].span), *chain.sides[2:])
+            outcome = self._judge_in_units(replace(chain, sides=sides), name, by_speeds, knowledge)
         outcome = outcome or self._judge_in_units(chain, name, claim, knowledge)
         if outcome is not None:
             return outcome
@@ -622,12 +658,21 @@ class NamedQuantities:
         head = name
         if ("", "own_inertia") in together and not index_of(name):
             head = f"{name}_{named.end}"
+<<<<<<< HEAD
         if self.numbers is None:
             return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
         return [
             self.numbers.converted(target)
             for target, pairs in self.roles.readings(shaped, claim, knowledge.meanings, together, head)
             if not any(pairs.get(role) in self.numbers.rates for role in _ANGULAR)  # n in min⁻¹ is no ω
+=======
+        readings = self.roles.readings(shaped, claim, knowledge.meanings, together, head)
+        needed = [(role, index.split()) for role, index in named.quantity.subscripts]
+        return [
+            target
+            for target, letters in readings
+            if all(index_of(letters[role]) in indices for role, indices in needed if role in letters)
+>>>>>>> c2
         ]
 
     def _counted(

@@ -65,6 +65,8 @@ class Quantity:
     """Whether those words may stand anywhere on the page, if none of `unless` does."""
     together: tuple[tuple[str, str], ...] = ()
     """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
+    subscripts: tuple[tuple[str, str], ...] = ()
+    """Roles whose letters need one of some subscripts, whatever words name them: x_0 the first peak."""
     stated: frozenset[str] = frozenset()
     """Roles whose number the words of the page may give: half of the mass, seven cylinders."""
     is_of_one: bool = False
@@ -127,9 +129,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
      r"|断面二次|inertia", "1 2 3 a b"),
-    ("first_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("first_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("second_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
     ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speeds?"
     r"|winkelgeschwindigkeit"
@@ -150,7 +152,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("power", "P N L", r"power|leistung|動力|出力"),
     ("shift", "a e d s", r"distance|abstand|eccentricity|距離|offset"),
     ("central", "J I Theta", r"inertia|trägheitsmoment|慣性モーメント"),
-    ("gravity", "g", r"gravity|erdbeschleunigung|重力加速度"),
+    ("gravity", "g", r"(?<!centre of )(?<!center of )gravity|erdbeschleunigung|重力加速度"),
     ("weight", "W G w", r"weight|gewicht|重量"),
     ("rod_angle", "beta phi varphi psi gamma delta", r"rod angle|obliquity|inclination(?: of the"
      r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
@@ -200,9 +202,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("first_length", "l L ell", r"lengths?|längen?|長さ?", "1 a"),
     ("first_diameter", "d D", r"diameters?|durchmesser|径", "1 a"),
     ("density", "rho varrho gamma", r"density|dichte|密度"),
-    ("own_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?|慣性モーメント",
+    ("own_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
+    r"|慣性モーメント",
      "1 2 a b A B"),
-    ("other_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("other_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント",
      "1 2 a b A B"),
     ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient"
@@ -212,10 +215,12 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("damping_ratio", "D zeta xi vartheta theta", r"damping(?: ratio| factor)?|dämpfungs(?:grad|maß)"
     r"|lehr\w*"
      r"|減衰比"),
-    ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"),
+    ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"
+     r"|振動数[^、。]{0,14}の比|ratio of (?:the )?\w+ (?:to|and) (?:the )?\w+ frequenc(?:y|ies)"),
     ("decrement", "Lambda delta vartheta theta", r"decrement|dekrement|減衰率"),
     ("order", "i k n nu j x z m", r"\border|ordnung|ordnungszahl|次数?|harmonic|per (?:turn|revolution)"),
-    ("static_deflection", "delta f y x s w", r"deflection|durchsenkung|durchbiegung|einsenkung|たわみ"),
+    ("static_deflection", "delta f y x s w", r"(?:deflection|durchsenkung|durchbiegung|einsenkung)"
+     r"(?: (?:at|under|of|in|au|unter|am|an|der|des)\b[^,.;$=\\]{0,30})?|たわみ"),
     ("period", "T tau", r"period|time|dauer|zeit|周期"),
     ("arm", "s h a d e L l", r"distance|abstand|距離|length|länge|長さ"),
     ("gyration", "k i r rho", r"gyration|trägheitsradius|trägheitshalbmesser|回転半径"),

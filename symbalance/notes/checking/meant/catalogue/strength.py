@@ -470,7 +470,11 @@ STRENGTH: tuple[Quantity, ...] = (
     Quantity(
         "equivalent length of a shaft", letters("l L ell"),
         words(r"(?:equivalent|reduced)\s+length", r"reduzierte\s+(?:wellen)?länge", r"ersatzlänge",
-              r"(?:相当|換算|等価)(?:軸)?長さ?"),
+              r"(?:相当|換算|等価)(?:軸)?長さ?",
+              r"twists?\s+as\s+(?:much|far)\s+as\s+(?:an?|the)\s[^.]{0,80}\blength",
+              r"same\s+(?:angle\s+of\s+)?twist\s[^.]{0,80}\blength",
+              r"verdreht\s+sich\s+(?:eben)?so\s+(?:stark|viel|weit)\s+wie\s[^.]{0,80}länge",
+              r"ebenso\s+nachgiebig\w*\s[^.]{0,80}länge", r"(?:同じ|等しい)ねじれ[^。]{0,40}長さ"),
         (own_length * (diameter / own_diameter) ** 4, length * (diameter / own_diameter) ** 4,
          first_length + own_length * (first_diameter / own_diameter) ** 4,
          own_length * section / second_section, length * section / second_section),

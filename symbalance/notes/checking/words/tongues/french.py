@@ -227,4 +227,29 @@ when: quand|lorsqu(?:e|')
 another: une? autre
 case: cas
 whereas: tandis qu(?:e|')|alors que
+static deflection: flèche statique|fléchissement statique
+deflection: flèche
+critical speed of bending: (?:vitesse|régime) critique de flexion|vitesse critique (?:en|de) flexion
+in the middle: (?:au|en son) milieu|à mi-(?:portée|longueur)
+simply supported: (?:simplement )?(?:appuyé\w*|sur deux appuis)
+bearings: paliers|roulements
+bearing: palier|roulement
+mass per length: masse (?:linéique|par unité de longueur)
+angular frequency: pulsations?(?! propres?| naturelle| amortie)
+diametrically opposite: diamétralement opposé\w*
+apart: distante?s? (?:de|l'une? de l'autre)
+along the axis: (?:le long|suivant la direction) de l'axe
+vibrates freely: oscille librement|vibre librement
+three discs: trois (?:disques|volants|masses)
+two-node mode: mode à deux nœuds
+absorber: amortisseur dynamique|amortisseur accordé|absorbeur(?: dynamique)?
+mass ratio: rapport des masses
+transmissibility: transmissibilité|facteur de transmission
+frequency ratio: rapport (?:des|de) (?:fréquences|pulsations)
+simple harmonic motion: mouvement (?:vibratoire )?(?:harmonique|sinusoïdal)(?: simple)?
+bifilar suspension: (?:suspension|pendule) bifilaire
+trifilar suspension: (?:suspension|pendule) trifilaire
+small oscillations: petites oscillations
+lag: retard de phase|déphasage en retard
+with their signs: avec leurs? signes?
 """

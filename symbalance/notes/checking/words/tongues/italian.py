@@ -175,7 +175,7 @@ about its diameter: rispetto a un diametro|attorno a un diametro
 is: è|vale|risulta
 are: sono|valgono
 at the: al
-the: il|lo|la|gli|le|l'
+the: il|lo|la|gli|le|l'|i(?= \w{3,}i\b)
 a: una|uno|un
 of: della|dello|dell'|del|dei|delle|degli|di|d'
 and: ed
@@ -225,4 +225,27 @@ when: quando
 another: un altro|un'altra
 case: caso
 whereas: mentre
+static deflection: (?:freccia|inflessione|deflessione) statica
+deflection: freccia|inflessione
+critical speed of bending: velocità critica (?:flessionale|di flessione|a flessione)
+in the middle: a metà(?= d)|in mezzeria|al centro|nel mezzo
+simply supported: (?:semplicemente )?appoggiat\w*
+bearings: cuscinetti|supporti
+bearing: cuscinetto|supporto
+mass per length: massa per unità di lunghezza|massa lineica
+angular frequency: pulsazion[ei](?! (?:propri|natural|smorzat))
+diametrically opposite: diametralmente oppost\w*
+vibrates freely: oscilla liberamente|vibra liberamente
+three discs: tre (?:dischi|volani|masse|inerzie)
+two-node mode: modo (?:a|con) due nodi
+absorber: assorbitore(?: dinamico)?|smorzatore dinamico
+mass ratio: rapporto (?:di|delle|fra le|tra le) masse
+transmissibility: trasmissibilità
+frequency ratio: rapporto (?:di|delle|fra le|tra le) (?:frequenze|pulsazioni)
+simple harmonic motion: moto armonico(?: semplice)?
+bifilar suspension: (?:sospensione|pendolo) bifilare
+trifilar suspension: (?:sospensione|pendolo) trifilare
+small oscillations: piccole oscillazioni
+lag: ritardo(?: di fase)?
+with their signs: col (?:loro|proprio) segno|con segno
 """

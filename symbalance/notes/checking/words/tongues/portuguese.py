@@ -209,4 +209,27 @@ when: quando
 another: outr[oa]
 case: caso
 whereas: enquanto
+static deflection: (?:flecha|deflexão) estática
+deflection: flecha|deflexão
+critical speed of bending: velocidade crítica (?:de|à) flexão
+in the middle: no (?:centro|meio)|a meio d\w*
+simply supported: (?:simplesmente|bi-?)\s?apoiad\w*|apoiad\w*
+bearings: mancais|apoios|rolamentos
+bearing: mancal|apoio|rolamento
+mass per length: massa por unidade de comprimento
+angular frequency: frequência angular(?! (?:natural|própria|amortecida))|pulsação(?! própria)
+diametrically opposite: diametralmente opost\w*
+vibrates freely: oscila livremente|vibra livremente
+three discs: três (?:discos|volantes|massas)
+two-node mode: modo (?:de|com) dois nós
+absorber: absorvedor(?: dinâmico)?
+mass ratio: (?:razão|relação) de massas
+transmissibility: transmissibilidade
+frequency ratio: (?:razão|relação) de frequências
+simple harmonic motion: movimento harmônico(?: simples)?
+bifilar suspension: (?:suspensão|pêndulo) bifilar
+trifilar suspension: (?:suspensão|pêndulo) trifilar
+small oscillations: pequenas oscilações
+lag: atraso(?: de fase)?
+with their signs: com (?:o )?seus? sina(?:l|is)
 """

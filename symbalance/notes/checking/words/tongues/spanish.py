@@ -224,4 +224,27 @@ when: cuando
 another: otr[oa]
 case: caso
 whereas: mientras que
+static deflection: (?:flecha|deflexión|deformación) estática
+deflection: flecha|deflexión
+critical speed of bending: velocidad crítica (?:de|a) flexión
+in the middle: en (?:el|su) (?:centro|medio)|a mitad de
+simply supported: simplemente apoyad\w*|apoyad\w* en sus extremos
+bearings: cojinetes|apoyos|rodamientos
+bearing: cojinete|apoyo|rodamiento
+mass per length: masa por unidad de longitud|masa lineal
+angular frequency: pulsación|frecuencia (?:angular|circular)(?! (?:natural|propia|amortiguada))
+diametrically opposite: diametralmente opuest\w*
+vibrates freely: oscila libremente|vibra libremente
+three discs: tres (?:discos|volantes|masas|inercias)
+two-node mode: modo (?:de|con) dos nodos
+absorber: absorbedor(?: dinámico)?|amortiguador dinámico
+mass ratio: (?:razón|relación|cociente) de masas
+transmissibility: transmisibilidad
+frequency ratio: (?:razón|relación|cociente) de frecuencias
+simple harmonic motion: movimiento armónico(?: simple)?
+bifilar suspension: (?:suspensión|péndulo) bifilar
+trifilar suspension: (?:suspensión|péndulo) trifilar
+small oscillations: pequeñas oscilaciones
+lag: retraso(?: de fase)?|desfase en retraso
+with their signs: con su signo|con sus signos
 """
