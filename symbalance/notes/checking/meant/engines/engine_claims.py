@@ -315,6 +315,13 @@ class EngineClaims:
         first, last = self._sentence(self._opening(chain.start), chain.end)
         return self._text[first:last]
 
+    def words_before(self, chain: Chain) -> tuple[str, str]:
+        """Return the words of a relation's sentence before it, and the sentence before that one."""
+        start = self._opening(chain.start)
+        first, _ = self._sentence(start, chain.end)
+        above, _ = self._sentence(max(first - 2, 0), first)
+        return self._text[first:start], self._text[above:first]
+
     def orders_before(self, chain: Chain) -> set[int]:
         """Return the orders that the sentence of a relation names before it, or the one before that."""
         start = self._opening(chain.start)

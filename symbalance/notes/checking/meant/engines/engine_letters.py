@@ -276,7 +276,7 @@ def mended(
         powers[parts.letter[slip]] = Fraction(wanted[slip])
     if not factor:
         return Number(Fraction(0))
-    factors: list[Formula] = [_number_node(factor)] if not same(factor, 1) else []
+    factors: list[Formula] = [number_node(factor)] if not same(factor, 1) else []
     factors += [Name(n) if p == 1 else Name(n) ** p for n, p in powers.items() if p > 0]
     below: list[Formula] = [Name(n) if p == -1 else Name(n) ** -p for n, p in powers.items() if p < 0]
     factors += [wave] if wave is not None else []
@@ -291,7 +291,7 @@ def _product(factors: list[Formula]) -> Formula:
     )
 
 
-def _number_node(value: float) -> Formula:
+def number_node(value: float) -> Formula:
     """Return a number as a fraction, a root, or to four digits."""
     near = Fraction(value).limit_denominator(512)
     if isclose(near, value, rel_tol=1e-9):

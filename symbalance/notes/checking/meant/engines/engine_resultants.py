@@ -52,6 +52,7 @@ from symbalance.notes.checking.meant.engines.engine_letters import (
 )
 from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_of, wave_of
 from symbalance.notes.checking.meant.engines.sizes_explained import (
+    without_balance_to_come,
     without_letters_explained,
     without_masses_of_one,
 )
@@ -170,13 +171,6 @@ _UP_TO_SECOND = re.compile(
     re.IGNORECASE,
 )
 """Words for a sum of the first two orders: a term of one order alone is not what they are of."""
-_YET_UNBALANCED = re.compile(
-    r"(?:\bleft\s+(?:over\s+)?)?\b(?:before|without|unless|ohne|vor|sans|avant|senza|prima\s+d\w+|sin"
-    r"|antes\s+de)\s+(?:\w+\s+){0,2}?"
-    r"(?:counter-?weight\w*|balanc\w+|gegengewicht\w*|ausgleich\w*|contrepoids|[ée]quilibr\w+|contrapp?es\w*)",
-    re.IGNORECASE,
-)
-"""Words for what an engine's cylinders do before anything balances it."""
 _SPEED = re.compile(
     r"(?:twice|double|two\s+times|doppelte[rn]?|zweifache[rn]?)\s+(?:the\s+)?(?:crank(?:shaft)?|engine|kurbel(?:wellen)?)?"
     r"[\s-]*(?:speed|drehzahl|geschwindigkeit)|(?:crank(?:shaft)?|engine)[\s-]+speed|2\s?倍の(?:速度|速さ|回転)",
@@ -515,8 +509,8 @@ class EngineResultants:
         own = f"{claim.words} {claim.own} {claim.clause if claim.is_inferred else ''}"
         own = _ALL_OF.get(claim.engine.cylinders, _NONE).sub("", own.replace(claim.engine.words, ""))
         own = without_masses_of_one(without_letters_explained(own))
-        own = _YET_UNBALANCED.sub("", _SPEED.sub("", own))
-        around = _YET_UNBALANCED.sub("", claim.around)
+        own = without_balance_to_come(_SPEED.sub("", own))
+        around = without_balance_to_come(claim.around)
         is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(around)
         is_part = is_part or _SHARE.search(around) is not None
         return bool(is_part) or _TOTAL_MASS.search(self._text) is not None

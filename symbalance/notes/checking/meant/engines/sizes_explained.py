@@ -36,6 +36,29 @@ _RATIO = re.compile(
     r"|longueur\s+de\s+(?:la\s+)?bielle|lunghezza\s+d(?:i|ella)\s+biella|longitud\s+de\s+(?:la\s+)?biela",
     re.IGNORECASE,
 )
+_YET_UNBALANCED = re.compile(
+    r"(?:\bleft\s+(?:over\s+)?)?\b(?:before|without|unless|ohne|vor|sans|avant|senza|prima\s+d\w+|sin"
+    r"|antes\s+de)\s+(?:\w+\s+){0,2}?"
+    r"(?:counter-?weight\w*|balanc\w+|gegengewicht\w*|ausgleich\w*|contrepoids|[ée]quilibr\w+|contrapp?es\w*)"
+    r"|\bcan\s+(?:\w+\s+){0,2}?be\s+(?:\w+\s+)?(?:cancel\w+|balanced|compensated|removed|eliminated)[^.;=\n]*"
+    r"|(?:lässt|lassen)\s+sich\s[^.;=\n]*(?:ausgleichen|aufheben|beseitigen)"
+    r"|\bkann\s[^.;=\n]*(?:ausgeglichen|aufgehoben)\s+werden"
+    r"|(?:peut|peuvent)\s+(?:\w+\s+){0,2}?être\s+(?:équilibré|compensé|annulé)\w*[^.;=\n]*"
+    r"|(?:può|possono)\s+(?:\w+\s+){0,2}?essere\s+(?:equilibrat|annullat|compensat)\w*[^.;=\n]*"
+    r"|pued\w+\s+(?:\w+\s+){0,2}?(?:equilibrar|compensar|anular)\w*[^.;=\n]*"
+    r"|(?:釣り?合い?おもり|カウンタ\w*|バランサ\w*)(?:で|により|によって)[^。\n]{0,12}(?:消|釣り?合)\w*(?:できる|られる)",
+    re.IGNORECASE,
+)
+"""Words for what an engine's cylinders do before anything balances it, or for what may balance it."""
+
+
+def without_balance_to_come(words: str) -> str:
+    """Return words without those of a balance that is not there yet: "before counterweighting".
+
+    >>> without_balance_to_come("the couple left before counterweighting is")
+    'the couple  is'
+    """
+    return _YET_UNBALANCED.sub("", words)
 
 
 def without_masses_of_one(words: str) -> str:
