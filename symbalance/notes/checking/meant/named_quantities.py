@@ -92,7 +92,8 @@ _PART = re.compile(
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
 _SETTING = re.compile(
-    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
+    r"\b(?:per|je|pro) (?:cycle|arbeitsspiel|arbeitszyklus)|\b(?:on|between|auf|zwischen"
+    r"|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
     r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
     r"|\b(?:brake |indicated )?mean (?:effective |indicated )*(?:effective )?pressure"
     r"|mittlere[rnms]? (?:\w+ )?(?:arbeits|nutz|innen|kolben)?druck|(?:正味|図示)?平均有効圧力?"

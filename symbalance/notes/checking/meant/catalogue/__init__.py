@@ -22,6 +22,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     locomotives   wheels, tractive force and swaying couple of two cranks at right angles
     two_cylinders the forces of two cylinders on one pin, along and across the line between them
     round_bodies  half discs and rings, their masses and inertia, the stress of a turning rim
+    bearings      the rating life of rolling bearings
     plain_quotients  one letter over another: stress, density, stiffness
     counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
@@ -29,6 +30,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
 from collections.abc import Mapping
 
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
+from symbalance.notes.checking.meant.catalogue.bearings import BEARINGS
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
@@ -57,6 +59,6 @@ ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES}
 QUANTITIES = (
     *STRENGTH, *PARTS, *FATIGUE, *VIBRATION, *FORCED, *RESONANCE, *TRAINS, *INERTIA, *CRANK_DRIVE,
     *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
-    *ROUND_BODIES, *PLAIN_QUOTIENTS,
+    *ROUND_BODIES, *BEARINGS, *PLAIN_QUOTIENTS,
 )  # fmt: skip
 """All quantities, each name once."""

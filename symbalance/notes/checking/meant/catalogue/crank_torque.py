@@ -85,6 +85,18 @@ _INERTIA_TORQUE = (
     -_STROKE * (COS_CRANK + ratio * Call("cos", 2 * crank_angle)) * (SIN_CRANK + ratio * DOUBLE / 2),
 )  # fmt: skip
 _ROD_PART = r"(?:connecting[- ])?rod|pleuel|連接棒|コンロッド"
+_AT_SMALL = (
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:small[- ]end"
+    r"|piston(?:[- ]pin)?|gudgeon[- ]pin"
+    r"|wrist[- ]pin)"
+    r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:kleinen\s+\w*(?:auge|kopf)|kolben(?:bolzen)?)"
+)
+_AT_BIG = (
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:(?:big"
+    r"|large)[- ]end|crank[- ]?pin)"
+    r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen)"
+)
+"""Words for what of a rod's mass is put at one of its ends."""
 _SHARES = r"share|part|portion|mass|anteil|masse|質量|分"
 
 CRANK_TORQUE: tuple[Quantity, ...] = (
@@ -171,7 +183,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"|part)\s+(?:counted\s+as\s+)?(?:reciprocating|oscillating)",
               r"oszillierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse"
               r"|teil)(?:\s+(?:des|der)\s+\w+)?",
-              r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)"),
+              r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)", _AT_SMALL),
         (mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small)),
         ("edit", "part"),
         mistakes=(mass * to_small / rod, mass * (rod - to_big) / rod,
@@ -187,7 +199,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"|revolving)",
               r"rotierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des"
               r"|der)\s+\w+)?",
-              r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)"),
+              r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)", _AT_BIG),
         (mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small)),
         ("edit", "part"),
         mistakes=(mass * to_big / rod, mass * (rod - to_small) / rod,

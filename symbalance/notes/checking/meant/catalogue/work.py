@@ -44,7 +44,10 @@ _CYCLES = (
     r"|nockenwelle"
     r"|仕事回数"
 )
-_PER_TURN = r"per (?:turn|revolution)|je umdrehung|pro umdrehung|1回転"
+_PER_TURN = (
+    r"(?:per|each|(?:in|of|during|over) (?:one|a|each|every)(?: single)?) (?:turn|revolution)"
+    r"|(?:je|pro|in einer|jeder) umdrehung|par tour|por vuelta|per giro|[1一]回転"
+)
 _MEAN_TORQUE = words(
     r"(?:mean|average)\s+(?:engine\s+)?torque", r"\btorque", r"mittleres?\s+(?:dreh)?moment",
     r"dreh-?moment",
