@@ -45,7 +45,8 @@ _CYCLES = (
     r"|仕事回数"
 )
 _PER_TURN = (
-    r"(?:per|each|(?:in|of|during|over) (?:one|a|each|every)(?: single)?) (?:turn|revolution)"
+    r"per (?:turn|revolution)|(?<!no )\bwork\b[^.;=]{0,24}?\s(?:in|of|during|over) (?:one|a|each|every)"
+    r" (?:single )?(?:turn|revolution)"
     r"|(?:je|pro|in einer|jeder) umdrehung|par tour|por vuelta|per giro|[1一]回転"
 )
 _MEAN_TORQUE = words(
