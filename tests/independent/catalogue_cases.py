@@ -424,6 +424,7 @@ A_MINUTE = {"turn_rate": F(3000), "cylinders": F(6)}
 ROTATING = [{name: number} for name in ("turn_rate", "rotation") for number in (F(50), F(3000))]
 TURNING_RATE = 1000 * abs(mp.arg(mp.expj(2 * mp.pi * 50 / 1000)))  # the angle of each thousandth
 ENGINE_RATES = {
+    "angular speed by the revolutions per minute": [(A_MINUTE, 2 * mp.pi / (mpf(60) / 3000))],
     "firing frequency of a four-stroke engine": [(SIX, mpf(firings(2))), (A_MINUTE, mpf(firings(2)))],
     "firing frequency of a two-stroke engine": [(SIX, mpf(firings(1))), (A_MINUTE, mpf(firings(1)))],
     "firings per turn of a four-stroke engine": [(SIX, mpf(firings(2)) / 50)],
@@ -454,7 +455,29 @@ ENGINE_RATES = {
     ],
 }  # fmt: skip
 
+
+def turns_of_bearing(exponent):
+    """Return the turns that a bearing bears at 2 kN, by a straight line of log life over log load.
+
+    At its rated 14 kN it bears a million.
+    """
+    loads = [mpf(14000), mpf(2000)]
+    return mp.exp(mp.log(mpf(10) ** 6) + exponent * (mp.log(loads[0]) - mp.log(loads[1])))
+
+
+def lives(exponent):
+    """Return the life in millions of turns, and in hours at 1500 turns a minute."""
+    turns, loads = turns_of_bearing(exponent), {"load_rating": F(14000), "bearing_load": F(2000)}
+    return [(loads, turns / 10**6), ({**loads, "turn_rate": F(1500)}, turns / 1500 / 60)]
+
+
+BEARINGS = {
+    "rating life of a ball bearing": lives(3),
+    "rating life of a roller bearing": lives(mpf(10) / 3),
+}
+
 CASES = {
+    **BEARINGS,
     **SHAFTS,
     **RESONANCE,
     **STRENGTH,

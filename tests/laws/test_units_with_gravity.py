@@ -13,7 +13,8 @@ PAGES = [
     ("Static sag δ = 2 mm, so $\\sqrt{g/\\delta} = 70\\ \\mathrm{UNIT}$.\n", "m/s", "s^{-1}"),
     ("δ = 2 mm, so $\\omega_0 = \\sqrt{g/\\delta} = \\sqrt{9.81/0.002} = 70$ UNIT.\n", "m/s", "rad/s"),
     (
-        "Die Durchsenkung ist $\\delta = 2$ mm, die Erdbeschleunigung $g$: $\\sqrt{g/\\delta} = 70$ UNIT.\n",
+        "Die Durchsenkung ist $\\delta = 2$ mm, die Erdbeschleunigung $g$:"
+        " $\\sqrt{g/\\delta} = 70$ UNIT.\n",
         "m/s",
         "1/s",
     ),

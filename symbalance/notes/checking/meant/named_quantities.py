@@ -112,7 +112,8 @@ _PART = re.compile(
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
 _SETTING = re.compile(
-    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
+    r"\b(?:per|je|pro) (?:cycle|arbeitsspiel|arbeitszyklus)|\b(?:on|between|auf|zwischen"
+    r"|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
     r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
     r"|\b(?:brake |indicated )?mean (?:effective |indicated )*(?:effective )?pressure"
     r"|\bmean (?:piston(?! pressure)|angular|speed|velocity)|mittlere[rnms]? (?:kolben"
@@ -658,21 +659,19 @@ class NamedQuantities:
         head = name
         if ("", "own_inertia") in together and not index_of(name):
             head = f"{name}_{named.end}"
-<<<<<<< HEAD
-        if self.numbers is None:
-            return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
-        return [
-            self.numbers.converted(target)
-            for target, pairs in self.roles.readings(shaped, claim, knowledge.meanings, together, head)
-            if not any(pairs.get(role) in self.numbers.rates for role in _ANGULAR)  # n in min⁻¹ is no ω
-=======
         readings = self.roles.readings(shaped, claim, knowledge.meanings, together, head)
         needed = [(role, index.split()) for role, index in named.quantity.subscripts]
-        return [
-            target
+        fitting = [
+            (target, letters)
             for target, letters in readings
             if all(index_of(letters[role]) in indices for role, indices in needed if role in letters)
->>>>>>> c2
+        ]
+        if self.numbers is None:
+            return [target for target, _ in fitting]
+        return [
+            self.numbers.converted(target)
+            for target, letters in fitting
+            if not any(letters.get(role) in self.numbers.rates for role in _ANGULAR)  # n in min⁻¹ is no ω
         ]
 
     def _counted(

@@ -28,7 +28,8 @@ _LENGTHS = frozenset({"l", "L", "ell", "a", "x", "s", "b", "d"})
 _OF_AMPLITUDES = re.compile(r"amplitude|ausschl[aä]g|振幅|mode|swing|schwing", re.IGNORECASE)
 _OF_NODE = re.compile(r"\bnod(?:e|al)|knoten|節", re.IGNORECASE)
 _OF_SHAFT = re.compile(
-    r"torsion|twist|drehschwing|ねじり|扭|rotors?\b|dis[ck]s?\b|scheibe|円板|shaft", re.IGNORECASE
+    r"torsion|twist|drehschwing|ねじり|扭|rotors?\b|dis[ck]s?\b|scheibe|円板|shaft|zweimassen|two-mass",
+    re.IGNORECASE,
 )
 _OF_MORE = re.compile(
     r"\bthree|\bdrei|\b[3-9][- ](?:mass|dis[ck]|rotor)|三|[3３]つ|gear|getriebe|歯車|holzer|two[- ]node"

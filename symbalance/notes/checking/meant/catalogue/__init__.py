@@ -26,6 +26,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     oscillations  harmonic motion, decay of peaks, pendulums and suspensions, undamped absorbers
     rotors        turning discs, critical speeds, what unbalances do to mounts and bearings
     round_bodies  half discs and rings, their masses and inertia, the stress of a turning rim
+    bearings      the rating life of rolling bearings
     plain_quotients  one letter over another: stress, density, stiffness
     counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
@@ -33,6 +34,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
 from collections.abc import Mapping
 
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
+from symbalance.notes.checking.meant.catalogue.bearings import BEARINGS
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
@@ -65,6 +67,6 @@ ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES, **VIBRATION_ROLES}
 QUANTITIES = (
     *STRENGTH, *PARTS, *FATIGUE, *VIBRATION, *FORCED, *RESONANCE, *TRAINS, *INERTIA, *CRANK_DRIVE,
     *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
-    *ROUND_BODIES, *TORSION, *OSCILLATIONS, *ROTORS, *PLAIN_QUOTIENTS,
+    *ROUND_BODIES, *TORSION, *OSCILLATIONS, *ROTORS, *BEARINGS, *PLAIN_QUOTIENTS,
 )  # fmt: skip
 """All quantities, each name once."""

@@ -99,10 +99,18 @@ def _wrong_shares(own: Formula, other: Formula) -> tuple[Formula, ...]:
 
 
 _ROD_PART = r"(?:connecting[- ])?rod|pleuel|連接棒|コンロッド"
-_PLACED = (
-    r"mass\s+(?:(?:which|that)\s+is\s+|to\s+be\s+)?(?:placed|concentrated|lumped|put|taken|assumed|thought)?"
-    r"\s*(?:at|in|on)\s+the\s+"
+_AT_SMALL = (
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:small[- ]end"
+    r"|piston(?:[- ]pin)?|gudgeon[- ]pin"
+    r"|wrist[- ]pin)"
+    r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:kleinen\s+\w*(?:auge|kopf)|kolben(?:bolzen)?)"
 )
+_AT_BIG = (
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:(?:big"
+    r"|large)[- ]end|crank[- ]?pin)"
+    r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen)"
+)
+"""Words for what of a rod's mass is put at one of its ends."""
 _SHARES = r"share|part|portion|mass|anteil|masse|質量|分"
 
 CRANK_TORQUE: tuple[Quantity, ...] = (
@@ -195,8 +203,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"|part)\s+(?:counted\s+as\s+)?(?:reciprocating|oscillating)",
               r"oszillierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse"
               r"|teil)(?:\s+(?:des|der)\s+\w+)?",
-              r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)",
-              rf"{_PLACED}(?:piston|gudgeon|wrist)[- ]?pin", rf"{_PLACED}small[- ]end",
+              r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)", _AT_SMALL,
               r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:kolbenbolzen|kleinen\s+\w*(?:auge|kopf))"),
         (mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small)),
         ("edit", "power", "part"),
@@ -214,8 +221,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"|revolving)",
               r"rotierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des"
               r"|der)\s+\w+)?",
-              r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)",
-              rf"{_PLACED}crank[- ]?pin", rf"{_PLACED}big[- ]end",
+              r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)", _AT_BIG,
               r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:(?:kurbel|hub)zapfen|großen\s+\w*(?:auge|kopf))"),
         (mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small)),
         ("edit", "power", "part"),

@@ -312,7 +312,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r" (?:sector )?angle|öffnungswinkel|zentriwinkel|中心角"),
     ("half_sector", "alpha beta gamma phi varphi theta delta",
         r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
-     r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
+     r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halbe[nrms]? (?:\w+ )?\w*winkel|半角"),
     ("grade", "G Q", r"grade|quality|gütestufe|auswuchtgüte|等級|mm/s"),
     ("back_pressure", "p P", r"(?:crankcase|ambient|atmospheric|back|outside|surrounding|external"
     r"|counter)"

@@ -68,6 +68,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|(?:moment|kraft)amplitude"
      r"|(?:力|トルク)の?振幅", "0 a e hat n i k 1"),
     ("shear_stress_allowed", "tau", r"stress|spannung|応力"),
+    ("load_rating", "C C_r C_dyn C_a", r"(?:load rating|basic rating|capacity|tragzahl|負荷容量)"),
+    ("bearing_load", "P F P_r F_r P_m F_m", r"(?:loads?|forces?|last|kraft|荷重)"),
     ("shear_force", "Q V F P S", r"(?:shear(?:ing)? )?force|querkraft|せん断力"),
 )  # fmt: skip
 SHAFT_ROLES: Mapping[str, Role] = {
@@ -79,5 +81,5 @@ SHAFT_ROLES: Mapping[str, Role] = {
     form_factor, sensitivity, bending_safety, torsion_safety, amplitude, hang, bob, mass_ratio,
     gear_ratio, wire, coil, windings, amplitude_before, first_speed, second_speed, third_speed,
     third_rate, driving, natural, upper_point, lower_point, resonant, mass_per_length, excitation,
-    shear_stress_allowed, shear_force,
+    shear_stress_allowed, load_rating, bearing_load, shear_force,
 ) = map(Name, SHAFT_ROLES)  # fmt: skip

@@ -164,15 +164,24 @@ _SUPPORTED = words(
     r"|frei drehbar) gelagert"
     r"|supported at both"
     r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"
-    r"|単純支持|両端支持"
+    r"|単純支持|両端支持|(?:sur|on|su|sobre) (?:deux|two|due|dos) (?:appuis|appoggi|apoyos)"
+    r"|simplemente apoyad\w+"
+    r"|appoggiat\w (?:agli|alle) estrem\w+"
 )
-_FIXED = words(r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定")
-_MIDDLE = words(r"middle|mid-?span|midway|half[- ]?way|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
+_FIXED = words(
+    r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定"
+    r"|(?:encastrée?|fixed) (?:aux|at) (?:deux|two) extrémités|incastrat\w (?:agli"
+    r"|alle) estrem\w+|empotrad\w (?:en|por) (?:ambos|los dos)"
+)
+_MIDDLE = words(
+    r"middle|mid-?span|midway|half[- ]?way|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央"
+    r"|\bmilieu|\bmezzo|\bcentro\b"
+)
 _END_LOAD = words(r"\bend\b|\btip\b|\bende\b|先端|自由端|free end|an der spitze")
 _UNIFORM = words(r"uniform|evenly|gleichm|streckenlast|gleichstreckenlast|等分布|distributed|verteilt")
 _OTHER_BEAM = words(
     r"fixed at both|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定"
-    r"|one (?:end )?fixed|propped"
+    r"|encastr|incastrat|empotrad|one (?:end )?fixed|propped"
     r"|quarter|viertel|at a distance|im abstand|continuous|durchlauf|three bearings|drei lager"
 )
 _BENDING_MOMENT = words(

@@ -311,7 +311,7 @@ _UPRIGHT_V: tuple[Quantity, ...] = (
         "moment of the counterweight of a V-twin at 90°", letters("· U D u"),
         words(r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"gegengewichte?s?", r"contrepoids",
             r"ausgleich", r"カウンタ(?:ー)?ウェイト", r"(?:釣り?合い|つりあい)(?:おもり|錘)"),
-        (mass * pin, (rotating + reciprocating) * pin, (rotating + mass) * pin), ("edit",),
+        (mass * pin, (rotating + reciprocating) * pin, (rotating + mass) * pin), ("edit", "part"),
         others=((rotating + 2 * reciprocating) * pin,),
         mistakes=(2 * mass * pin, mass * pin / 2, (rotating + reciprocating / 2) * pin,
                   (rotating + mass / 2) * pin),

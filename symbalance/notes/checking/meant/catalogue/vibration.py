@@ -185,7 +185,7 @@ VIBRATION: tuple[Quantity, ...] = (
         "distance of the node of two discs", letters("a l x s L"),
         words(r"(?:position|distance|place)\s+of\s+(?:the|its)\s+node",
               r"\bnode(?:\s+(?:is|lies|sits|has))?\s+(?:then\s+)?at(?:\s+(?:the|a)\s+distance)?",
-              r"\bnode\s+(?:\w+\s+){0,5}distance",
+              r"\bnode\s+(?:[\w-]+\s+){0,8}distance",
               r"lage\s+des\s+(?:schwingungs)?knotens", r"abstand\s+des\s+(?:schwingungs)?knotens",
               r"節(?:の位置|までの距離)"),
         (length * other_inertia / (own_inertia + other_inertia),), ("edit", "exchange"),

@@ -44,7 +44,11 @@ _CYCLES = (
     r"|nockenwelle"
     r"|仕事回数"
 )
-_PER_TURN = r"per (?:turn|revolution)|je umdrehung|pro umdrehung|1回転"
+_PER_TURN = (
+    r"per (?:turn|revolution)|(?<!no )\bwork\b[^.;=]{0,24}?\s(?:in|of|during|over) (?:one|a|each|every)"
+    r" (?:single )?(?:turn|revolution)"
+    r"|(?:je|pro|in einer|jeder) umdrehung|par tour|por vuelta|per giro|[1一]回転"
+)
 _MEAN_TORQUE = words(
     r"(?:mean|average)\s+(?:(?:engine|brake|indicated|effective|useful|shaft)\s+)*torque", r"\btorque",
     r"torque\s+(?:mean|average|medi[oa]|moyen)", r"mittleres?\s+(?:(?:effektives"

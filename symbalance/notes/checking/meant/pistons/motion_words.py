@@ -22,6 +22,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     STROKE,
     TOP,
 )
+from symbalance.notes.checking.words.accuracies import without_orders_of_series
 from symbalance.text import lazy_patterns as re
 
 _ROD = re.compile(
@@ -75,7 +76,7 @@ _OF_KINDS = {
     "stroke": STROKE, "angle": ROD_ANGLE, "displacement": PATH,
 }  # fmt: skip
 _OF_ROD = {ACCELERATION: ROD_ACCELERATION, SPEED: ROD_SPEED}
-OTHERS = re.compile(
+_OTHERS = re.compile(
     r"crank-?\s?pins?|big[- ]end|kurbelzapfen|hubzapfen|クランクピン|counterweight|gegengewicht"
     r"|centre of (?:gravity|mass)|center of (?:gravity|mass)|centroid|schwerpunkt|重心|relativ|\bmean\b"
     r"|average|mittlere|durchschnitt|平均|moyenne|\bmedia\b|scotch|\byoke|\bcams?\b|nocken|カム"
@@ -162,6 +163,15 @@ def motions_named(words: str, around: str = "") -> list[str]:
             continue
         motions.append(kind)
     return motions
+
+
+def names_another(words: str) -> bool:
+    """Tell whether words name another body's motion, a part or a mean, not just how far a series goes.
+
+    >>> names_another("the second-order acceleration"), names_another("to second order the acceleration")
+    (True, False)
+    """
+    return _OTHERS.search(without_orders_of_series(words)) is not None
 
 
 def places_named(words: str, sentence: str = "") -> list[str]:

@@ -35,8 +35,8 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
 from symbalance.notes.checking.meant.pistons.motion_letters import OF_CRANK, WAVES, angle_rank, angles_in
 from symbalance.notes.checking.meant.pistons.motion_words import (
     HAS_OFFSET,
-    OTHERS,
     motions_named,
+    names_another,
     place_of_index,
     places_named,
 )
@@ -213,11 +213,11 @@ class NamedMotions:
             motions = motions_named(text, f"{texts.heading} {texts.sentence}")
             motions = [usual] if len({*motions}) > 1 and usual in motions else motions
             if motions:
-                if OTHERS.search(text):
+                if names_another(text):
                     return None
                 kind = _Kind(motions[-1], text, is_sure=True)
                 break
-        if not kind.name and OTHERS.search(texts.clause):
+        if not kind.name and names_another(texts.clause):
             return None
         if (
             by_dots
@@ -240,7 +240,7 @@ class NamedMotions:
             return _Kind(self.kinds[head.stem, head.order], above, is_sure=True)
         motions = list(dict.fromkeys(motions_named(texts.heading)))
         motions = [usual] if usual in motions else motions
-        if len(motions) == 1 and not OTHERS.search(texts.heading):
+        if len(motions) == 1 and not names_another(texts.heading):
             return _Kind(motions[0], texts.heading, is_sure=True)
         angles = angles_in(claim)
         if head.function and len(angles) == 1 and head.name not in angles:

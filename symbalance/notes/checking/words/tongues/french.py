@@ -32,6 +32,8 @@ torque: couple (?:instantané|de torsion)|couple(?! de (?!torsion|serrage|rappel
 couple: couples?(?= (?:du |de )?(?:premier|second|deuxième))
 torques: couples
 inertia force: (?:force|effort)s? §inertie
+primary force: (?:force|effort)s? primaires?
+secondary force: (?:force|effort)s? secondaires?
 first order: (?:premier|1er) ordre|ordre (?:1|un)
 second order: (?:second|deuxième|2e|2ème) ordre|ordre (?:2|deux)
 fourth order: (?:quatrième|4e|4ème) ordre|ordre (?:4|quatre)

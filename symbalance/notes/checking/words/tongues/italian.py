@@ -31,6 +31,8 @@ couple: coppi[ae](?= (?:del |di )?(?:primo|secondo))
 pair: coppi[ae] di (?:cilindri|pistoni|dischi|ruote|masse|alberi)
 inertia couple: (?:coppi[ae]|momenti?) d'inerzia(?= (?:del |di )?(?:primo|secondo|1|2))
 inertia force: (?:forz[ae]|sforz[oi]) (?:d'|di )inerzia
+primary force: forz[ae] primari[ae]
+secondary force: forz[ae] secondari[ae]
 first order: (?:primo|1°|1º) ordine|ordine (?:1|uno)
 second order: (?:secondo|2°|2º) ordine|ordine (?:2|due)
 fourth order: (?:quarto|4°|4º) ordine|ordine (?:4|quattro)

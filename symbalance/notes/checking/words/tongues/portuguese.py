@@ -28,6 +28,8 @@ bending moment: momento flec?tor
 torque: torque|binário(?! de (?!torção))|momento torsor|momento de torção
 inertia couple: (?:binário|momento|conjugado)s? de inércia(?= (?:de )?(?:primeira|segunda|1|2))
 inertia force: forças? de inércia
+primary force: forças? primárias?
+secondary force: forças? secundárias?
 first order: (?:primeira|1ª) ordem|ordem (?:1|um)
 second order: (?:segunda|2ª) ordem|ordem (?:2|dois)
 fourth order: (?:quarta|4ª) ordem|ordem (?:4|quatro)

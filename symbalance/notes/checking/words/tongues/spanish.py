@@ -31,6 +31,8 @@ couple: par(?= de (?:primer|segundo))|par de fuerzas
 pair: par de (?:cilindros|pistones|discos|ruedas|masas|ejes)|pareja
 inertia couple: (?:par|momento)s? de inercia(?= (?:de )?(?:primer|segundo|1|2))
 inertia force: (?:fuerza|esfuerzo)s? de inercia
+primary force: fuerzas? primarias?
+secondary force: fuerzas? secundarias?
 first order: (?:primer|1er) orden|orden (?:1|uno)
 second order: (?:segundo|2º|2\.º) orden|orden (?:2|dos)
 fourth order: (?:cuarto|4º|4\.º) orden|orden (?:4|cuatro)
