@@ -50,8 +50,10 @@ _ACCELERATION = words(
     r"(?:最大)?加速度",
 )
 _GREATEST = words(r"peak|maxim\w+|greatest|largest|amplitude|größte|höchst|scheitel|最大|振幅|ピーク")
-_NOT_SWINGING = r"piston|kolben|ピストン|crank|kurbel|クランク|r\.?m\.?s\.?\b|effektivwert|実効値"
-r"|averag|mittlere|平均"
+_NOT_SWINGING = (
+    r"piston|kolben|ピストン|crank|kurbel|クランク|r\.?m\.?s\.?\b|effektivwert|実効値"
+    r"|averag|mittlere|平均"
+)
 _INERTIA = words(
     r"(?:mass\s+)?moment\s+of\s+inertia", r"inertia", r"(?:massen)?trägheitsmoment", r"慣性モーメント",
     r"period", r"schwingungsdauer", r"周期", r"(?:small|torsional)\s+(?:\w+\s+)?(?:oscillations|swings"

@@ -53,8 +53,10 @@ _MIDDLE = words(
     r"middle", r"\bmid(?:dle|way|span)", r"cent(?:re|er)\b", r"central(?:ly)?", r"mitte|mittig",
     r"中央", r"half\s+way",
 )  # fmt: skip
-_CLAMPED = r"clamped|built[- ]in|fixed\s+(?:at|ends?)|eingespannt|固定|cantilever|kragarm|einseitig"
-r"|overhung|fliegend|片持"
+_CLAMPED = (
+    r"clamped|built[- ]in|fixed\s+(?:at|ends?)|eingespannt|固定|cantilever|kragarm|einseitig"
+    r"|overhung|fliegend|片持"
+)
 _SAGGING = words(r"deflection", r"\bsag", r"durchbiegung", r"einsenkung", r"たわみ")
 _OFF_CENTRE = force * near**2 * far**2 / (3 * young * section * length)
 _BEAM = 48 * young * section

@@ -10,8 +10,10 @@ from collections.abc import Mapping
 from symbalance.document.formula import Name
 from symbalance.notes.checking.meant.catalogue.roles import Role, letters, words
 
-_SPEEDS = r"(?:angular )?(?:speed|velocity)|rpm|(?:winkel)?geschwindigkeit|drehzahl(?:en)?|回転(?:数"
-r"|速度)|角速度"
+_SPEEDS = (
+    r"(?:angular )?(?:speed|velocity)|rpm|(?:winkel)?geschwindigkeit|drehzahl(?:en)?|回転(?:数"
+    r"|速度)|角速度"
+)
 _INERTIA = r"inertia|trägheitsmoment(?:en?)?|masse[ns]?|mass(?:es)?|慣性モーメント"
 _TORQUE = r"torques?|(?<!trägheits)(?<!widerstands)momente?n?|(?<!慣性)モーメント|トルク"
 _PEAK = r"amplitudes?|peaks?|ausschl[aä]ge?|振幅|極大値?"
