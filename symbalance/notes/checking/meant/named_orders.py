@@ -57,7 +57,12 @@ from symbalance.notes.checking.meant.meant_quantities import (
 from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
 from symbalance.notes.checking.meant.order_directions import OrderDirections, Sizes
 from symbalance.notes.checking.meant.signs_in_series import multiple_of_angle, sign_in_series
-from symbalance.notes.checking.meant.waves_of_named_orders import WITHOUT_RATIO, OrderNamed, refute_wave
+from symbalance.notes.checking.meant.waves_of_named_orders import (
+    WITHOUT_RATIO,
+    OrderNamed,
+    has_ratio_as_number,
+    refute_wave,
+)
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
@@ -512,6 +517,9 @@ class NamedOrders:
         is_alone = order.is_alone or (is_whole and factor > 1)
         is_whole_of_all = is_whole and factor > 1
         if WITHOUT_RATIO.search(order.words) or (factor <= 1 and _is_of_several(order.words)):
+            return None
+        has_ratio = names(right.node) & (names(crank.ratio) - names(crank.radius))
+        if not has_ratio and order.kind != TORQUE and has_ratio_as_number(right.node):
             return None
         if not order.kind or not is_alone or (is_guess and not is_whole_of_all) or crank.small is None:
             return None

@@ -53,6 +53,8 @@ _MASSES, _WEIGHTS = frozenset("mM"), frozenset("WG")
 _COUNTS = frozenset("zZN")
 _ARMS = frozenset("abdehsLl") | {"ell"}
 _OTHERS, _PLACES = (Fraction(3), Fraction(7)), (Fraction(0), Fraction(1), Fraction(2))
+_USUAL_RATIOS = (0.15, 0.45)
+"""Between these is r/l of all engines: a number that may stand for it."""
 _SMALLEST_PART, _SAME = 12, 1e-9
 """Of an angle, to which the number before it is told, and how near two of these are the same."""
 _OTHER_ANGLE = re.compile(
@@ -66,7 +68,7 @@ _OTHERWISE = re.compile(
     r"\b(?:double[ds]?|twice|half|halve[ds]?|times|derivative|rate|shafts?|imaginary|fictitious|counterweights?"
     r"|balanc(?:er|ing)|ableitung|doppel\w*|halb\w*|\w*wellen?|gegengewicht\w*|ausgleich\w*"
     r"|dérivée|derivata|derivada|arbres?|alber[oi]|árbol\w*|not|nicht|wrong|falsch|instead|statt\w*"
-    r"|stroke|takt|camshaft|firing|zünd\w*|gas)\b|倍|微分|軸|ガス|誤",
+    r"|stroke|takt|camshaft|firing|zünd\w*|gas|coils?|windings?|circuit|spule|wicklung)\b|コイル|倍|微分|軸|ガス|誤",
     re.IGNORECASE,
 )
 """Words in the sentence for another shaft, for what is no order of the crank, or for a mistake."""
@@ -183,6 +185,8 @@ class _Page:
         is_torque = (order.is_torque or order.is_couple) and not _has_arm(product)
         order = replace(order, is_torque=is_torque)
         lowest, totals = order.lowest, self._totals(product, is_torque=is_torque)
+        if 0 in totals and has_ratio_as_number(claim):
+            return None
         if lowest is None or not totals or any(_is_of_order(t, order, lowest) for t in totals):
             return None
         ratio = self._ratio(claim, exact=totals)
@@ -309,6 +313,16 @@ class _Page:
     def _letters(self) -> list[str]:
         chains = self.meant.words.document.chains
         return sorted({n for other in chains for side in other.sides for n in names(side.node)})
+
+
+def has_ratio_as_number(node: Formula) -> bool:
+    """Tell whether the number before a formula may be the rod ratio: 0.25 m r ω² cos 2θ."""
+    try:
+        number = abs(product_of(node).number)
+    except NoProductError:
+        return False
+    low, high = _USUAL_RATIOS
+    return low <= number <= high
 
 
 def _is_of_order(total: int, order: OrderNamed, lowest: int) -> bool:
