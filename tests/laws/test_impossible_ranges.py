@@ -45,6 +45,12 @@ LISTED = [
 ]
 
 
+def test_a_decimal_comma_is_no_list():
+    page = "$\\sin\\beta = 0{,}15$\n\n$\\beta = 8,63°$, $y = 7,73$ mm\n"
+    assert not _is_accused(page)
+    assert not _is_accused("$x^2 - 4x + 1 = 0$, also $x = 3,73$ oder $0,268$.\n")
+
+
 def _verdicts(page):
     return [link["verdict"] for link in sb.check(page, {}).data()["links"]]
 

@@ -25,8 +25,10 @@ _FARTHEST = 90
 """Characters between an equation and the list of its roots."""
 _NUMBER = r"[-−–+]?\s?[0-9]+(?:\.[0-9]+)?(?:/[0-9]+)?"
 _GAP = r"(?:\s|\$|\\[,; ])*"
-_OR = rf"{_GAP}(?:,|(?<![^\W\d_])(?:or|oder|ou|o|u|and|und|et|e|y)(?![^\W\d_])|または|と|、){_GAP}"
-_ENDS = r"(?![0-9]|\.[0-9]|\s*(?:[=A-Za-z^]|\\[A-Za-z]))"
+_OR = (
+    rf"{_GAP}(?:,(?![0-9])|(?<![^\W\d_])(?:or|oder|ou|o|u|and|und|et|e|y)(?![^\W\d_])|または|と|、){_GAP}"
+)
+_ENDS = r"(?![0-9]|\.[0-9]|\s*(?:[=A-Za-z^°%]|\\[A-Za-z]))"
 """Behind a number that is no part of a formula."""
 _LIST = rf"(?P<first>{_NUMBER})(?P<rest>(?:{_OR}(?:{_OR})?{_NUMBER}{_ENDS}){{1,5}})"
 _HEAD = r"(?<![\w\\}])(?P<letter>\\?[^\W\d_]+)"
