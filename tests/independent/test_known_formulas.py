@@ -15,6 +15,7 @@ from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from tests.independent.balance_cases import BALANCE_CASES
 from tests.independent.catalogue_cases import CASES as OTHER_CASES
 from tests.independent.round_body_cases import ROUND_BODIES
+from tests.independent.section_and_firing_cases import SECTIONS_AND_FIRING
 
 F = Fraction
 R, INNER = F(2, 100), F(1, 100)
@@ -271,6 +272,7 @@ CASES = {
     **OTHER_CASES,
     **BALANCE_CASES,
     **ROUND_BODIES,
+    **SECTIONS_AND_FIRING,
 }
 
 

@@ -114,7 +114,8 @@ _RESULTANT = re.compile(
 )
 _ALONE = re.compile(
     r"\b(?:left|right|first|second|front|rear)\s+cylinder|\bdifferen|\btotal\s+(?:\w+\s+)?mass|gesamtmasse|linke[rn]?\s+zyl"
-    r"|together|combined|altogether|\ball\b|zusammen|insgesamt|ensemble|insieme|en conjunto|合計|両|[mM](?:_\w+)?\s?/\s?2"
+    r"|together|combined|altogether|\ball\b|zusammen|insgesamt|ensemble|insieme|en conjunto|合計|両"
+    r"|[mM](?:_\w+)?\s?/\s?2"
     r"|mass\w*\s+(?:of|der|des|delle?)\s+(?:both|beide|the\s+two|deux|due)|m[aá]s+\w*\s+total\w*|masse\s+totale"
     r"|rotating\s+mass|rotierend\w*\s+mass|\bpercent|%|\bfraction|\banteil",
     re.IGNORECASE,
