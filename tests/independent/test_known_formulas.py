@@ -15,6 +15,7 @@ from symbalance.notes.checking.meant.catalogue import QUANTITIES, Quantity
 from tests.independent.balance_cases import BALANCE_CASES
 from tests.independent.catalogue_cases import CASES as OTHER_CASES
 from tests.independent.round_body_cases import ROUND_BODIES
+from tests.independent.section_and_firing_cases import SECTIONS_AND_FIRING
 from tests.independent.vibration_cases import VIBRATIONS
 
 F = Fraction
@@ -273,6 +274,7 @@ CASES = {
     **BALANCE_CASES,
     **ROUND_BODIES,
     **VIBRATIONS,
+    **SECTIONS_AND_FIRING,
 }
 
 

@@ -278,6 +278,8 @@ class NamedQuantities:
             )
         right = with_exact_halves(right, self.stated.numbers.values())
         own = names(right)
+        if _has_arm_of_another(name, own):
+            return None
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
         if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
@@ -780,7 +782,7 @@ class NamedQuantities:
             change = "exponent" if kind == "power of a term" else _ONE_TERM
             if is_one_change and fix is not None and re.fullmatch(change, fix.kind):
                 return verdict
-            if kind in ("term", "power of a term"):
+            if kind in ("term", "power of a term") and not is_mistake:
                 continue
             repair = Repair(kind, target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
@@ -854,6 +856,21 @@ def _is_rounded(target: Formula, claim: Formula) -> bool:
     digits = str(numbers[0]).rstrip("0")
     unit = 10 ** (len(str(numbers[0])) - len(digits))
     return len(digits) >= _FEWEST_DIGITS and abs(numbers[0] / factor - numbers[0]) <= Fraction(unit, 2)
+
+
+def _has_arm_of_another(name: str, own: frozenset[str]) -> bool:
+    """Tell whether a product has another's arm, and its own is in the formula: m_c r = (…) r_c.
+
+    >>> _has_arm_of_another("m_c r", frozenset({"m", "r_c"}))
+    True
+    """
+    parts = name.split()
+    if len(parts) != 2:
+        return False
+    indices = {index_of(part) for part in parts}
+    stems = {stem_of(part) for part in parts}
+    bare = [part for part in parts if not index_of(part)]
+    return bool(bare) and any(index_of(n) and index_of(n) in indices and stem_of(n) in stems for n in own)
 
 
 def _may_be_power(letter: str) -> bool:

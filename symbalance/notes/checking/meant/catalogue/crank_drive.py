@@ -211,12 +211,14 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "firing interval of a four-stroke engine",
-        letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+        letters("alpha delta phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
+        words(r"firing\s+(?:interval|spacing)",
+        r"(?:intervallo|intervalo|intervalle)\s+(?:angol|angul)\w+[^.;=]{0,50}(?:accension|scopp|encendid|explosion|allumage)\w*(?:\s+successiv[ei])?",
+        r"between\s+(?:(?:two|successive"
             r"|consecutive)\s+)?(?:ignitions|firings)",
         r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
-        (4 * PI / cylinders,), others=(),
+        (4 * PI / cylinders,), others=(), mistakes=(4 * PI / (cylinders - 1), 4 * PI * cylinders),
         unless=words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|uneven|ungleich"
         r"|irregular|不等"
                       r"|odd|per\s+bank|in\s+one\s+bank|je bank|crank\s?pins?|throws?|kröpf"
@@ -226,12 +228,14 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "firing interval of a two-stroke engine",
-        letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+        letters("alpha delta phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
+        words(r"firing\s+(?:interval|spacing)",
+        r"(?:intervallo|intervalo|intervalle)\s+(?:angol|angul)\w+[^.;=]{0,50}(?:accension|scopp|encendid|explosion|allumage)\w*(?:\s+successiv[ei])?",
+        r"between\s+(?:(?:two|successive"
             r"|consecutive)\s+)?(?:ignitions|firings)",
         r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
-        (2 * PI / cylinders,),
+        (2 * PI / cylinders,), mistakes=(2 * PI / (cylinders - 1), 2 * PI * cylinders),
         unless=words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル"
         r"|四サイクル|uneven|ungleich"
                       r"|irregular|不等|odd|per\s+bank|je bank|double[- ]acting|doppeltwirk|複動"),

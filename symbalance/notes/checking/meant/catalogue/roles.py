@@ -96,10 +96,13 @@ def root(node: Formula) -> Formula:
 PI = Constant("pi")
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("diameter", "d D", r"diameters?|durchmessers?|(?<!半)径|\bbore|bohrung|ボア"),
-    ("outer", "d D", r"(?:outer|outside|external)(?: diameter)?|außen(?:durchmesser)?|aussendurchmesser"
+    ("outer", "d D", r"(?:outer|outside|external)(?: diameter)?|(?:diameter |\be |\bet "
+                     r"|\by )(?:exterior|extérieur|externo|esterno)|außen(?:durchmesser)?"
+                     r"|aussendurchmesser"
      r"|between (?:the )?diameters|zwischen den durchmessern"
      r"|外径"),
-    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|innen(?:durchmesser)?|内径|\bbore"
+    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|(?:diameter |\be |\bet "
+                     r"|\by )(?:interior|intérieur|interno)|innen(?:durchmesser)?|内径|\bbore"
      r"|diameter of the (?:hole|bore|drilling)|\bhole(?: diameter)?|\bdrilled to"
      r"|(?:auf|durch)?bohrung(?:sdurchmesser)?"
      r"|durchmesser der bohrung|between (?:the )?diameters|zwischen den durchmessern|穴径"),
@@ -109,7 +112,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("torque", "T M tau", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
      r"|ねじりモーメント"),
     ("force", "F P", r"forces?|loads?|kraft|last|力|荷重|weights?|gewicht"),
-    ("pressure", "p P", r"pressure|druck|圧力?|[bi]?mep"),
+    ("pressure", "p P", r"pressure(?: (?:interior|intérieure|interna))?|druck|圧力?|[bi]?mep"),
     ("area", "A S F", r"area|fläche|面積|cross[- ]section|querschnitt(?!s)"),
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
     ("section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -119,8 +122,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("shear", "G C N", r"shear modulus|modulus of rigidity|rigidity|schubmodul|gleitmodul"
      r"|横弾性係数|せん断弾性係数|剛性率"),
     ("length", "l L ell", r"length|lang|länge|長さ?|distance|\bspan|abstand|stützweite|距離|スパン"),
-    ("stress", "sigma", r"stress|spannung|応力"),
-    ("shearing", "tau", r"stress|spannung|応力"),
+    ("stress", "sigma", r"(?<!shear )(?<!shearing )(?<!torsional )stress|(?<!schub)(?<!torsions)spannung"
+     r"|(?<!せん断)(?<!ねじり)応力"),
+    ("shearing", "tau", r"(?<!bending )(?<!normal )(?<!tensile )(?<!direct )stress"
+     r"|(?<!biege)(?<!normal)(?<!zug)spannung|(?<!曲げ)(?<!垂直)応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
      r"|federkonstante|federrate|federn?|springs?|ばね定数?|剛性|こわさ"),
     ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht|weigh(?:s|ing)|wiegt|rotor|dis[ck]s?"
@@ -289,11 +294,14 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         r"|(?:force|load|effort|kraft) (?:up)?(?:on|auf) (?:the |den )?(?:piston|kolben)"
         r"|(?:net|effective)"
      r" (?:force|load|effort)|ピストン力", "", "s S st St cr c l pl rod R r b B t T"),
-    ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"
+    ("outer_radius", "R r",
+            r"(?:outer|outside|external)(?: radius)?|(?:radius |\be |\bet |\by )(?:exterior"
+            r"|extérieur|externo|esterno)|außen(?:radius)?|外半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
     ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
-    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|innen(?:radius)?|内半径"
+    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|(?:radius |\be |\bet "
+                            r"|\by )(?:interior|intérieur|interno)|innen(?:radius)?|内半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
     ("bank", "gamma delta alpha V beta", r"(?:bank|vee|V|included|cylinder|fork)[- ]?angle|bankwinkel"
      r"|V-winkel|gabelwinkel|バンク角|挟み角"

@@ -348,6 +348,7 @@ class EngineResultants:
         if not slips:
             is_alone = term is None and claim.order == 1 and not index_of(name)
             is_open = is_alone and _UP_TO_SECOND.search(claim.sentence) is not None
+            is_open = is_open or _is_what_half_a_balance_leaves(claim)
             if is_open or (term is None and self._is_against_another(chain, claim, product, knowledge)):
                 return None
             return Decision(
@@ -627,6 +628,12 @@ def _sign_of_wave(product: ProductOfPowers) -> int:
         return 0
     sign = 1 if product.number > 0 else -1
     return -sign if wave_of(product.wave)[0] == _NEGATIVE_ORDER else sign
+
+
+def _is_what_half_a_balance_leaves(claim: EngineClaim) -> bool:
+    """Tell whether words speak of a share that is balanced: what is left of a force is another one."""
+    around = without_balance_to_come(f"{claim.around} {claim.sentence}")
+    return _BALANCED.search(around) is not None and _SHARE.search(around) is not None
 
 
 def _is_of_another_engine(meaning: str, claim: EngineClaim) -> bool:

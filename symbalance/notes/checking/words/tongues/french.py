@@ -61,6 +61,7 @@ polar section modulus: module de résistance (?:polaire|(?:à la|en|de) torsion)
 section modulus in bending: module de résistance (?:à la|en|de) flexion
 section modulus: module de (?:résistance|flexion)
 shear modulus: module de (?:cisaillement|glissement|Coulomb)
+shear stress: contrainte (?:tangentielle|de cisaillement|de torsion)(?: maximale)?
 bending stress: contraintes? (?:normale )?(?:de|en) flexion
 torsional stress: contraintes? (?:de cisaillement )?(?:de|en) torsion
 equivalent stress: contrainte équivalente

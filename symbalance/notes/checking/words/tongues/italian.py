@@ -61,6 +61,7 @@ polar section modulus: modulo di resistenza (?:polare|a torsione)
 section modulus in bending: modulo di resistenza a flessione
 section modulus: modulo di resistenza
 shear modulus: modulo di (?:elasticità tangenziale|taglio|scorrimento)|modulo di elasticità a taglio
+shear stress: tensione (?:tangenziale|di taglio)(?: massima)?
 bending stress: (?:tensione|sollecitazione) (?:normale )?(?:di|da|a) flessione
 torsional stress: (?:tensione|sollecitazione) (?:tangenziale )?(?:di|da|a) torsione
 equivalent stress: (?:tensione|sollecitazione) (?:equivalente|ideale)

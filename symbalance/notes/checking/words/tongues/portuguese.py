@@ -50,6 +50,7 @@ polar section modulus: módulo de resistência (?:polar|à torção)
 section modulus in bending: módulo de resistência à flexão
 section modulus: módulo de resistência
 shear modulus: módulo de (?:cisalhamento|elasticidade transversal|corte)
+shear stress: tensão (?:de cisalhamento|tangencial|cisalhante)(?: máxima)?
 bending stress: tensão (?:normal )?(?:de|por|na|devida à) flexão
 torsional stress: tensão (?:de cisalhamento |tangencial )?(?:de|por|na|devida à) torção
 equivalent stress: tensão equivalente

@@ -59,6 +59,8 @@ polar section modulus: módulo (?:resistente )?(?:polar|a (?:la )?torsión|de to
 section modulus in bending: módulo resistente a (?:la )?flexión
 section modulus: módulo resistente|módulo de la sección
 shear modulus: módulo de (?:cizalladura|cortadura|rigidez|corte)
+shear stress: (?:tensión|esfuerzo) (?:cortante|tangencial|de (?:cortadura|cizalladura))(?: máxim[ao])?
+shear stress: (?:tensión|esfuerzo) máxim[ao] de (?:cortadura|cizalladura)
 bending stress: (?:tensión|esfuerzo) (?:normal )?(?:de|por|a) flexión
 torsional stress: (?:tensión|esfuerzo) (?:cortante |tangencial )?(?:de|por|a) torsión
 equivalent stress: (?:tensión|esfuerzo) equivalente
