@@ -14,7 +14,7 @@ letter that words call something else, or any formula that the same words may me
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -204,6 +204,8 @@ class NamedQuantities:
 
     document: ReadNotes
     sections: Sections
+    _is_solving: bool = field(default=False, init=False)
+    """Whether a relation is judged as solved for one of its letters: by words alone then."""
     numbers: Numbers | None = None
     """The units of the letters of the formula that is judged, where words give them."""
 
@@ -299,7 +301,11 @@ class NamedQuantities:
         found: Verdict | None = None
         for solved in solved_sides(first.node, without_dots(second.node)[0]):
             sides = (Side((solved.left,), first.span), Side((solved.right,), second.span))
-            outcome = self.judge(replace(chain, sides=(*sides, *chain.sides[2:])), 0, knowledge)
+            self._is_solving = True
+            try:
+                outcome = self.judge(replace(chain, sides=(*sides, *chain.sides[2:])), 0, knowledge)
+            finally:
+                self._is_solving = False
             if isinstance(outcome, Decision):
                 return outcome
             found = found or (outcome and self._as_written(chain, solved, outcome))
@@ -418,6 +424,8 @@ class NamedQuantities:
         if len(fitting) != 1:
             is_unnamed = all(each.is_other or each.quantity.name not in in_letters_of for each in own)
             is_unnamed &= " " not in name
+            if self._is_solving:
+                return None  # F L = m r ω² a is no formula of F by its form
             by_form = self._by_form(chain, name, claim, knowledge, known) if is_unnamed else None
             return by_form or self._by_dimension(chain, name, claim, knowledge)
         (named,) = fitting.values()
