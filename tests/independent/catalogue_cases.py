@@ -424,7 +424,6 @@ A_MINUTE = {"turn_rate": F(3000), "cylinders": F(6)}
 ROTATING = [{name: number} for name in ("turn_rate", "rotation") for number in (F(50), F(3000))]
 TURNING_RATE = 1000 * abs(mp.arg(mp.expj(2 * mp.pi * 50 / 1000)))  # the angle of each thousandth
 ENGINE_RATES = {
-    "angular speed by the revolutions per minute": [(A_MINUTE, 2 * mp.pi / (mpf(60) / 3000))],
     "firing frequency of a four-stroke engine": [(SIX, mpf(firings(2))), (A_MINUTE, mpf(firings(2)))],
     "firing frequency of a two-stroke engine": [(SIX, mpf(firings(1))), (A_MINUTE, mpf(firings(1)))],
     "firings per turn of a four-stroke engine": [(SIX, mpf(firings(2)) / 50)],

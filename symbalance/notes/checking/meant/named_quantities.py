@@ -47,7 +47,7 @@ from symbalance.notes.checking.deciding.equality import (
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import bound_letter, substitute
 from symbalance.notes.checking.meant.catalogue import Quantity
 from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
 from symbalance.notes.checking.meant.changed_quantities import Traits, is_changed
@@ -189,6 +189,10 @@ _OF_MINUTES = (30, 60, 120)
 """Numbers that turn revolutions or cycles of a second into those of a minute."""
 _MANY, _FEWEST_DIGITS = 100, 3
 """A number of so many digits that it may be rounded."""
+_UNIT_OF_TIME = re.compile(r"\b(?:1/s|s\^?-1|Hz|rps|1/min|min\^?-1|rpm|rev/|tr/|U/min)|s⁻¹|min⁻¹")
+"""In a declaration, what a speed of rotation is counted in."""
+_CONVERTING = 1000
+"""A number from which on one in a standard formula is that of units."""
 _ANGULAR = ("omega", "omega_high", "omega_low")
 _WITHOUT_UNIT = (
     "cylinders", "efficiency", "ratio", "slenderness", "order", "fluctuation", "compression", "share",
@@ -284,7 +288,7 @@ class NamedQuantities:
             return None
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
-        if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
+        if any(_is_of_no_formula(part, own) for part in walk(right)):
             return None
         try:
             return run_within(SEARCH, lambda: self._judge_both(chain, name, right, knowledge), SHARE)
@@ -394,6 +398,10 @@ class NamedQuantities:
             replace(each, left=left, end=self._end(chain))
             for each in self.words.named(name, chain, knowledge)
         ]
+        if name in knowledge.definitions or any(
+            _UNIT_OF_TIME.search(m) for m in knowledge.meanings.values()
+        ):
+            candidates = [each for each in candidates if not each.quantity.is_by_unit]
         sign = chain.relations[0].sign
         plain = [each for each in candidates if each.quantity.is_plain]
         candidates = [each for each in candidates if not each.quantity.is_plain]
@@ -676,8 +684,8 @@ class NamedQuantities:
             for target, letters in readings
             if all(index_of(letters[role]) in indices for role, indices in needed if role in letters)
         ]
-        if self.numbers is None:
-            return [target for target, _ in fitting]
+        if self.numbers is None or any(map(_has_large_number, formulas)):
+            return [target for target, _ in fitting]  # 30000 G m/(π n) is between numbers as it stands
         return [
             self.numbers.converted(target)
             for target, letters in fitting
@@ -879,6 +887,17 @@ def _has_arm_of_another(name: str, own: frozenset[str]) -> bool:
     stems = {stem_of(part) for part in parts}
     bare = [part for part in parts if not index_of(part)]
     return bool(bare) and any(index_of(n) and index_of(n) in indices and stem_of(n) in stems for n in own)
+
+
+def _has_large_number(node: Formula) -> bool:
+    """Tell whether a formula holds between the numbers of stated units, which its own number converts."""
+    return any(isinstance(part, Number) and abs(part.value) >= _CONVERTING for part in walk(node))
+
+
+def _is_of_no_formula(part: Formula, own: frozenset[str]) -> bool:
+    """Tell whether no standard formula has such a part: an unknown function, the n of ∫ n π/30 dn."""
+    is_other_call = isinstance(part, Call) and part.function not in _FUNCTIONS
+    return is_other_call or bound_letter(part) in own
 
 
 def _may_be_power(letter: str) -> bool:

@@ -87,7 +87,7 @@ def all_said_behind(text: str) -> Iterator[SaidBehind]:
         following = letters[k + 1].start() - match.end() if k + 1 < len(letters) else LONGEST
         is_last = (end.start() if end else LONGEST) < following or following >= LONGEST
         between = behind[: min(following, end.start() if end else LONGEST)]
-        has_end = end is not None and end[0] in ".。!?"
+        has_end = end is not None and end.start() <= following and end[0] in ".。!?"
         words = _words(between, before, is_last=is_last, is_listed=is_listed, has_end=has_end)
         is_listed = bool(words) and not is_last
         if words:
@@ -98,6 +98,7 @@ def all_said_behind(text: str) -> Iterator[SaidBehind]:
 def _words(between: str, before: str, *, is_last: bool, is_listed: bool, has_end: bool) -> str:
     """Return the name behind a letter; "" where the words there are no name, or of what follows."""
     link = _IS.match(between)
+    by_verb = link is not None
     if link is None:
         is_parted = is_last or _PARTED.search(between) is not None
         if (
@@ -120,8 +121,9 @@ def _words(between: str, before: str, *, is_last: bool, is_listed: bool, has_end
     name = rest[: end.start() if end else len(rest)]
     if is_last and _CLAUSE.search(name):
         return ""  # between the radii a and b the force is F: a clause of its own
-    if end is None and is_last and not has_end:
-        return ""  # with β the tangential force $$F_t = …$$: the words are the formula's
+    runs_on = not has_end if end is None else end[0] in "$=\\"
+    if runs_on and (is_last or by_verb):
+        return ""  # with β the force $$F = …$$, mit F ist das Moment $M = …$: the formula's words
     return name.replace("\n", " ").strip()
 
 

@@ -15,13 +15,14 @@ _LIFE = words(
     r"| nominal)?", r"\blevensduur", r"trwałość", r"životnost",
 )  # fmt: skip
 _BALL = words(
-    r"\bball bearings?|\bball\b|kugellagers?|rillenkugel\w*|玉軸受|roulements? (?:à|at) billes"
+    r"\bball bearings?|\bball\b|kugellagers?|rillenkugel\w*|玉軸受"
+    r"|(?:roulements?|bearings?) (?:à|at) billes"
     r"|\b(?:a|at) sfere|(?:de|of) bolas"
     r"|kogellagers?|kulkowe\w*|kuličkov\w*"
 )
 _ROLLER = words(
     r"roller bearings?|\brollers?\b|needle bearings?|rollenlagers?|\w+rollenlagers?|nadellagers?|ころ軸受"
-    r"|roulements? (?:à|at) (?:rouleaux|aiguilles)|\b(?:a|at) rulli|(?:de|of) rodillos"
+    r"|(?:roulements?|bearings?) (?:à|at) (?:rouleaux|aiguilles)|\b(?:a|at) rulli|(?:de|of) rodillos"
     r"|rolko?lagers?|wałeczkow\w*|válečkov\w*"
 )
 _LETTERS = letters("L L_10 L_h L_10h L_n")

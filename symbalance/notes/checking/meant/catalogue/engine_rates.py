@@ -86,6 +86,7 @@ _ANGLES, _RATES = (turned_angle, crank_angle), (turn_rate, rotation)
 _ANGULAR_SPEED = words(
     r"angular\s+(?:speed|velocity)", r"winkelgeschwindigkeit", r"角速度",
     r"(?:circular|angular)\s+frequency", r"kreisfrequenz", r"角(?:振動|周波)数",
+    r"(?:speed|velocity)\s+in\s+(?:radians?|rad)(?:\s+per\s+|\s?/\s?)s(?:econd)?",
 )  # fmt: skip
 _ROTATIONAL_SPEED = words(
     r"rotational\s+(?:speed|frequency)", r"speed\s+of\s+rotation", r"(?:engine|shaft|crankshaft)\s+speed",
@@ -93,45 +94,14 @@ _ROTATIONAL_SPEED = words(
     r"(?:motor|wellen)?drehzahl", r"(?:毎[分秒])?回転(?:速度|数)",
 )  # fmt: skip
 _OTHER_SPEED = words(
-    r"cam\s?shaft|nockenwelle|カム|counter-?shaft|balanc|ausgleich|バランス|\bgears?\b|getriebe|歯車|belt|riemen"
+    r"cam\s?shaft|nockenwelle|カム|counter-?shaft|balanc|ausgleich|バランス|\bgear|getriebe|歯車|belt|riemen"
     r"|half|\bhalbe?[nrs]?\b|twice|double|doppelt|半分|2倍|order|ordnung|[一二三四0-9]次|harmonic|cycles?\b|arbeitsspiel"
     r"|サイクル|firing|ignition|zünd|natural|eigen|固有|slip|ratio|critical|kritisch|危険|relative|backward"
+    r"|excit|erreg|torsion|planet"
 )
 """Words by which a speed is another shaft's, a multiple, or one of cycles."""
 
-_BY_MINUTE = words(
-    r"\brpm\b|(?:rev(?:olution)?s?|turns?|rotations?)[ .]*(?:per|/|a)\s?min(?:ute)?|1/min|U/min"
-    r"|min\s?\^?\{?[-−]1"
-    r"|min⁻¹|umdrehungen (?:pro|je) minute|tours? (?:par|/|per) min(?:ute)?|tr/min|giri (?:al"
-    r"|/) ?min(?:uto)?"
-    r"|vueltas por minuto|r/min|毎分"
-)
-_BY_SECOND = (
-    r"(?:rev(?:olution)?s?|turns?|rotations?)\s?(?:per|/|a)\s?s(?:ec(?:ond)?)?\b|1/s|s\^\{?-1|s⁻¹|\bHz\b|umdrehungen"
-    r" (?:pro|je) sekunde|毎秒"
-)
-_OTHER_SPEED = (
-    r"camshaft|nockenwelle|twice|double|doppelt|half|halb|secondary|order|ordnung|gear|getriebe|excit|erreg"
-    r"|natural|eigen|critical|kritisch|torsion|balanc(?:e|er|ing) shaft|ausgleichswelle|planet"
-    r"|firing|zünd|周波数|固有"
-    r"|次|カム"
-)
-_ANGULAR_SPEED = words(
-    r"(?:crank\s?(?:shaft)?(?:'s)?\s+)?(?:angular|rotational)\s+(?:speed|velocity)(?:\s+of\s+the\s+crank(?:shaft)?)?",
-    r"(?:speed|velocity)\s+in\s+(?:radians?|rad)(?:\s+per\s+"
-    r"|\s?/\s?)s(?:econd)?", r"winkelgeschwindigkeit(?:\s+der\s+\w+)?",
-    r"角速度",
-)  # fmt: skip
-
 ENGINE_RATES: tuple[Quantity, ...] = (
-    Quantity(
-        "angular speed by the revolutions per minute", letters("omega Omega w"), _ANGULAR_SPEED,
-        (PI * turn_rate / 30,), ("part",), others=(2 * PI * turn_rate,),
-        mistakes=(PI * turn_rate / 60, PI * turn_rate / 15, turn_rate / 60, turn_rate / (60 * PI),
-                  turn_rate / (30 * PI), 60 * turn_rate / (2 * PI), 120 * PI * turn_rate,
-                  60 * PI * turn_rate, PI * turn_rate),
-        only=_BY_MINUTE, unless=words(_OTHER_SPEED, _BY_SECOND), is_told_once=True,
-    ),
     Quantity(
         "firing frequency of a four-stroke engine", letters("f nu F"), _FIRING_RATE,
         (turn_rate * cylinders / 2, turn_rate * cylinders / 120, omega * cylinders / (4 * PI)),
@@ -186,7 +156,7 @@ ENGINE_RATES: tuple[Quantity, ...] = (
                 60 * n / (2 * PI), 30 * n / PI, n / 60, 2 * PI / n, 1 / (2 * PI * n), 120 * PI * n,
             )
         ),
-        unless=_OTHER_SPEED,
+        unless=_OTHER_SPEED, is_by_unit=True,
     ),
     Quantity(
         "speed of rotation by the angular speed", letters("n N f"), _ROTATIONAL_SPEED,
@@ -196,7 +166,7 @@ ENGINE_RATES: tuple[Quantity, ...] = (
             2 * PI / (60 * omega),
             60 * PI * omega, 30 * omega,
         ),
-        unless=_OTHER_SPEED,
+        unless=_OTHER_SPEED, is_by_unit=True,
     ),
     Quantity(
         "time of a turn of the crank", letters("t Delta_t T tau"),
