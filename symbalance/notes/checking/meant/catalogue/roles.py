@@ -75,8 +75,8 @@ class Quantity:
     """Whether its formula is that of many others, F/A: nothing is proved by it, and where the words may
     name another quantity of these letters nothing is refuted."""
     is_by_unit: bool = False
-    """Whether its formulas differ by a letter's unit, 2πn and πn/30: a declared one, or another formula of
-    the same quantity on the page, settles which."""
+    """Whether its formulas differ by a letter's unit, 2πn and πn/30: a declared one settles which, or
+    another formula of the quantity on the page."""
     turns: bool = False
     """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
 
