@@ -1025,7 +1025,7 @@ class Judge:
             return Decision(REFUTED, turns)
         head, right = chain.sides[0].node, chain.sides[k + 1].node
         own = Dimensions({}, {}, self.document.text).of_numbers(right)
-        if own is None:
+        if own is None or _UNIT_GOES_ON.match(self.document.text, right.span[1]):
             return None
         expected, what = rate_dimension(head), "the left side"
         symbols = self.declarations.symbols_at(chain.lines[0])
@@ -1039,6 +1039,12 @@ class Judge:
         mismatch = Mismatch(f"{what} is in", expected, own)
         witness = {"left": unit_text(expected), "right": unit_text(own)}
         return Decision(REFUTED, mismatch.reason, witness=witness)
+
+
+_UNIT_GOES_ON = re.compile(
+    r"[\s$)\]]{0,6}(?:per|pro|par|por|al)\s(?:second|minute|min|s|sec|hour|metre|meter|m)\w*"
+)
+"""Behind a unit of which a line has but the beginning: 27.08 radians, per second in the next."""
 
 
 def _has_dimension(letter: Name, symbols: Mapping[str, str]) -> bool:

@@ -152,8 +152,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         _SHAFT,
         tuple(size / 2 for size in _SECOND), ("factor", "power", "part"),
         others=(mass * pin,),
-        mistakes=(*(size * n for size in _SECOND for n in (1, 2, 4, Number(Fraction(1, 4)))),
-                mass * pin / 2),
+        mistakes=tuple(size * n for size in _SECOND for n in (1, 2, 4, Number(Fraction(1, 4)))),
         only=both(_FOUR, _TWICE), unless=words(_OTHER_SHAFTS, r"alternator|generator|lichtmaschine"
                                                               r"|dynamo"), is_told_once=True,
     ),
