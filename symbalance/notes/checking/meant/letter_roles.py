@@ -45,6 +45,11 @@ _IS = re.compile(
     r"((?:[\w'’-]+ ){0,3}?[\w'’-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
     re.I,
 )
+_APPOSED = re.compile(
+    r" (?:the|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b"
+    r"|[,.;]|\s*$)",
+    re.I,
+)
 _LISTED = re.compile(r"[ \n]((?!and\b|und\b)[^\W\d_][\w-]{2,40}(?: [^\W\d_][\w-]{2,40})?)(?=[,.;(]|\s*$)")
 """Behind a letter in a list: m the mass, r crank radius, l rod length."""
 _WITH = re.compile(r"\b(?:with|mit|where|wobei|and|und)\s$", re.I)
@@ -96,17 +101,12 @@ _END_BEFORE = {
     for role, words in ROD_ENDS.items()
 }
 """Which end of a rod a distance is taken from, behind its letter or before: a from the big end."""
-_ARTICLE = r"(?:the|its|a|der|die|das|dem|den|des)"
-_GREEK = (
-    r"(?:alpha|beta|gamma|delta|epsilon|eta|(?:var)?theta|lambda|mu|nu|rho|sigma|tau"
-    r"|(?:var)?phi|psi|omega)"
-)
 _APPOSED = re.compile(
-    rf"\s*{_ARTICLE}\s+((?:[\w-]+ ){{0,5}}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
+    r"\s*(?:the|its|a|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
 )
 """The same without a verb, as in a list: D is the damping ratio and η the frequency ratio."""
 _NEXT_IN_LIST = re.compile(
-    rf"(?:^|[\s(])(?:[^\W\d_]|{_GREEK})(?:_\w{{1,4}}|\d)?\s(?:is\s|being\s)?{_ARTICLE}\s[\w -]{{2,40}}"
+    r"(?:^|[\s(])[^\W\d_](?:_\w{1,4}|\d)?\s(?:is\s|being\s)?(?:the|a|der|die|das)\s[\w -]{2,30}"
     r"(?:,|\sand|\sund)\s*$"
 )
 """Before a letter in a list, the item of the one before it: s the stroke, n the speed."""
@@ -262,16 +262,13 @@ class LetterRoles:
                 if (said := self._said_behind.get(match.start())) is not None:
                     phrases.append(said)
                     continue
-                is_in_list = _NEXT_IN_LIST.search(words) is not None
-                if follows is None and is_in_list:
+                if follows is None and _NEXT_IN_LIST.search(words):
                     continue
                 if ":" in words[len(phrase) :] and not _is_of_letter(phrase, letter):
                     continue
                 if follows is not None:
                     phrases.append(_LINKS.sub("", follows[1]))
-                if follows is None or not (
-                    is_in_list or words.rstrip().endswith(",")
-                ):  # in the rod, φ being
+                if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
                     phrases.append(phrase[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]
