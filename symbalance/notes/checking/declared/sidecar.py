@@ -196,6 +196,7 @@ class Declarations:
     proposed_bindings: tuple[Binding, ...] = ()
     """What is proposed and not confirmed, which nothing is judged by."""
     unread: tuple[UnreadLetter, ...] = ()
+    """Lines of [symbols] that declare nothing: the report names each, and the document fails by it."""
 
     @property
     def is_declared(self) -> bool:

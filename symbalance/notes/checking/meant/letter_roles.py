@@ -45,11 +45,6 @@ _IS = re.compile(
     r"((?:[\w'’-]+ ){0,3}?[\w'’-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b|[,.;]|\s*$)",
     re.I,
 )
-_APPOSED = re.compile(
-    r" (?:the|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?= of\b| der\b| des\b| at\b| am\b| and\b| und\b"
-    r"|[,.;]|\s*$)",
-    re.I,
-)
 _LISTED = re.compile(r"[ \n]((?!and\b|und\b)[^\W\d_][\w-]{2,40}(?: [^\W\d_][\w-]{2,40})?)(?=[,.;(]|\s*$)")
 """Behind a letter in a list: m the mass, r crank radius, l rod length."""
 _WITH = re.compile(r"\b(?:with|mit|where|wobei|and|und)\s$", re.I)
@@ -188,14 +183,13 @@ class LetterRoles:
     def _roles_named(self, letter: str) -> tuple[frozenset[str], bool]:
         """Return the roles that words before a letter name, and whether they name another length."""
         if letter not in self._named:
-            behind = set(self._said_behind.values())
-            words_of = set(self.words_before(letter))
-            before, names = {_without_place(words) for words in words_of - behind}, words_of & behind
+            own = set(self.words_before(letter))
+            before = {_without_place(words) for words in own - self._names_behind}
             roles = {
                 name
                 for name, each in ROLES.items()
                 if any(ends_with(each.words, w) for w in before)
-                or any(_is_noun_of(each.words, w) for w in names)
+                or any(_is_noun_of(each.words, w) for w in own & self._names_behind)
             }
             if end := self._end_of_rod(letter):
                 roles = (roles - {"near", "far"}) | {end}
@@ -228,7 +222,12 @@ class LetterRoles:
         return is_multiple or re.search(part, self.text) is not None
 
     @cached_property
-    def _said_behind(self) -> dict[int, str]:
+    def _names_behind(self) -> frozenset[str]:
+        """The names that stand behind letters: what their noun is counts, and not how they end."""
+        return frozenset(self._name_behind.values())
+
+    @cached_property
+    def _name_behind(self) -> dict[int, str]:
         """By the place of a letter in the text: what is known of its name behind it, or its noun."""
         return {
             each.start: next(filter(_is_known, heads_of(each.words)), shortest_head_of(each.words))
@@ -255,13 +254,13 @@ class LetterRoles:
                     phrases.append("apart")
                 if _WRITTEN.search(words) and _ANOTHER.search(words):
                     continue  # λ for the crank ratio and F_0
+                if (name := self._name_behind.get(match.start())) is not None:
+                    phrases.append(name)
+                    continue
                 apposed = _APPOSED.match(behind) if _WITH.search(words) or _ADDED.search(words) else None
                 listed = _LISTED.match(behind) if words.rstrip().endswith(",") else None
                 follows = _IS.match(behind) or apposed or listed
                 phrase = _LINKS.sub("", _FIRST_OF_TWO.sub(r"\1", words))
-                if (said := self._said_behind.get(match.start())) is not None:
-                    phrases.append(said)
-                    continue
                 if follows is None and _NEXT_IN_LIST.search(words):
                     continue
                 if ":" in words[len(phrase) :] and not _is_of_letter(phrase, letter):

@@ -98,7 +98,6 @@ def all_said_behind(text: str) -> Iterator[SaidBehind]:
 def _words(between: str, before: str, *, is_last: bool, is_listed: bool, has_end: bool) -> str:
     """Return the name behind a letter; "" where the words there are no name, or of what follows."""
     link = _IS.match(between)
-    by_verb = link is not None
     if link is None:
         is_parted = is_last or _PARTED.search(between) is not None
         if (
@@ -107,22 +106,16 @@ def _words(between: str, before: str, *, is_last: bool, is_listed: bool, has_end
             or not (is_listed or _INTRODUCED.search(before))
         ):
             return ""
-        link = _ARTICLE.match(between)
-        if link is None:
-            return ""
-        rest = between[link.end() :]
-    else:
-        rest = between[link.end() :]
-        article = _ARTICLE.match(rest)
-        if article is None:
-            return ""  # F is given by, m is 3 kg
-        rest = rest[article.end() :]
+    article = _ARTICLE.match(between, link.end() if link is not None else 0)
+    if article is None:
+        return ""  # F is given by, m is 3 kg
+    rest = between[article.end() :]
     end = _NAME_ENDS.search(rest)
     name = rest[: end.start() if end else len(rest)]
     if is_last and _CLAUSE.search(name):
         return ""  # between the radii a and b the force is F: a clause of its own
     runs_on = not has_end if end is None else end[0] in "$=\\"
-    if runs_on and (is_last or by_verb):
+    if runs_on and (is_last or link is not None):
         return ""  # with β the force $$F = …$$, mit F ist das Moment $M = …$: the formula's words
     return name.replace("\n", " ").strip()
 
