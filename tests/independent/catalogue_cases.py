@@ -270,6 +270,22 @@ SWAY, SWAYS = (
     W**2 * mp.diff(lambda a: mp.asin(R / L * mp.sin(a)), T, 2),
 )
 SPACES = {"swept": F(9), "clearance": F(1), "compression": F(10)}
+FACE_AREA = mp.quad(lambda r: 2 * mp.pi * r, [0, mpf(1) / 25])
+FACE = {
+    "diameter": F(2, 25), "area": exact(FACE_AREA), "pressure": F(5 * 10**5), "back_pressure": F(10**5),
+}  # fmt: skip
+PUSHED = mp.quad(lambda r: (5 * 10**5 - 10**5) * 2 * mp.pi * r, [0, mpf(1) / 25])
+CLEARANCE = FACE_AREA * (place(0) - place(mp.pi)) / 9
+ABOVE = CLEARANCE + mp.quad(lambda a: -FACE_AREA * mp.diff(place, a), [0, T])
+LONG = {
+    **DRIVE, "ratio": F(1, 100), "slenderness": F(100), "rod": F(3), "mass": F(7, 2), **FACE,
+    "piston_force": exact(5 * 10**5 * FACE_AREA), "any_force": exact(5 * 10**5 * FACE_AREA),
+}  # fmt: skip
+
+
+def long_place(angle):
+    return R * mp.cos(angle) + mp.sqrt(9 - (R * mp.sin(angle)) ** 2)
+
 
 CRANK_DRIVE = {
     "side force on the cylinder wall": [(DRIVE, PUSH * ALONG[1])],
@@ -288,6 +304,14 @@ CRANK_DRIVE = {
     "piston acceleration at the bottom dead centre": [(DRIVE, BOTTOM), (DRIVE, -BOTTOM)],
     "angular velocity of the rod": [(DRIVE, SWAY), (DRIVE, -SWAY)],
     "angular acceleration of the rod": [(DRIVE, SWAYS), (DRIVE, -SWAYS)],
+    "gas force against the pressure below the piston": [(FACE, PUSHED)],
+    "force of gas and mass on the piston": [
+        (LONG, 5 * 10**5 * mpf(FACE_AREA) + mpf(3.5) * W**2 * mp.diff(long_place, T, 2))
+    ],
+    "volume of a cylinder at a crank angle": [
+        ({**DRIVE, **FACE, "clearance": exact(CLEARANCE), "compression": F(10)}, ABOVE)
+    ],
+    "couple of the side force on the frame": [(DRIVE, PUSH * ALONG[1] * place(T))],
 }
 
 # Work
@@ -302,7 +326,7 @@ def engine(turns, count, eta):
     numbers = {
         "pressure": MEAN, "volume": VOLUME, "rotation": F(50), "omega": exact(100 * mp.pi),
         "power": exact(power), "torque": exact(power / (100 * mp.pi)), "area": F(1, 200),
-        "stroke": F(1, 10), "cylinders": CYLINDERS, "efficiency": ETA,
+        "stroke": F(1, 10), "velocity": F(10), "cylinders": CYLINDERS, "efficiency": ETA,
         "swing": exact(work), "cycle_work": exact(work if count == 1 else work / count),
     }  # fmt: skip
     return numbers, power
@@ -397,6 +421,8 @@ def zero_crossings(order):
 
 SIX = {"turn_rate": F(50), "cylinders": F(6), "omega": exact(100 * mp.pi)}
 A_MINUTE = {"turn_rate": F(3000), "cylinders": F(6)}
+ROTATING = [{name: number} for name in ("turn_rate", "rotation") for number in (F(50), F(3000))]
+TURNING_RATE = 1000 * abs(mp.arg(mp.expj(2 * mp.pi * 50 / 1000)))  # the angle of each thousandth
 ENGINE_RATES = {
     "firing frequency of a four-stroke engine": [(SIX, mpf(firings(2))), (A_MINUTE, mpf(firings(2)))],
     "firing frequency of a two-stroke engine": [(SIX, mpf(firings(1))), (A_MINUTE, mpf(firings(1)))],
@@ -411,12 +437,46 @@ ENGINE_RATES = {
     "speed of the balance shafts of four cylinders in line": [
         (SIX, mpf(zero_crossings(2))), ({"omega": F(300)}, mpf(600)),
     ],
+    "angular speed by the speed of rotation": [(each, TURNING_RATE) for each in ROTATING],
+    "speed of rotation by the angular speed": [
+        ({"omega": exact(TURNING_RATE)}, mpf(number)) for number in (50, 3000)
+    ],
+    "time of a turn of the crank": [
+        ({**each, angle: F(90)}, mp.mpf(1) / 4 / 50)
+        for each in ROTATING
+        for angle in ("turned_angle", "crank_angle")
+    ] + [
+        ({"omega": exact(TURNING_RATE), angle: exact(mp.pi / 2)}, mp.mpf(1) / 4 / 50)
+        for angle in ("turned_angle", "crank_angle")
+    ],
     "crank radius by the stroke": [
         ({"stroke": F(86)}, (mpf(0.1 * 430) * (1 - mp.cos(mp.pi))) / 2),
     ],
 }  # fmt: skip
 
+
+def turns_of_bearing(exponent):
+    """Return the turns that a bearing bears at 2 kN, by a straight line of log life over log load.
+
+    At its rated 14 kN it bears a million.
+    """
+    loads = [mpf(14000), mpf(2000)]
+    return mp.exp(mp.log(mpf(10) ** 6) + exponent * (mp.log(loads[0]) - mp.log(loads[1])))
+
+
+def lives(exponent):
+    """Return the life in millions of turns, and in hours at 1500 turns a minute."""
+    turns, loads = turns_of_bearing(exponent), {"load_rating": F(14000), "bearing_load": F(2000)}
+    return [(loads, turns / 10**6), ({**loads, "turn_rate": F(1500)}, turns / 1500 / 60)]
+
+
+BEARINGS = {
+    "rating life of a ball bearing": lives(3),
+    "rating life of a roller bearing": lives(mpf(10) / 3),
+}
+
 CASES = {
+    **BEARINGS,
     **SHAFTS,
     **RESONANCE,
     **STRENGTH,

@@ -32,12 +32,18 @@ DRIVE = {"pin": F(3, 100), "rod": F(1, 10), "crank_angle": F(7, 10), "ratio": F(
          "rod_angle": exact(mp.asin(mpf(0.3) * mp.sin(T)))}  # fmt: skip
 LONG = {"pin": F(3, 100), "rod": F(3), "ratio": F(1, 100), "crank_angle": F(7, 10), "mass": F(7, 2),
         "omega": F(150)}  # fmt: skip
-PUSHED = {"tangential": F(30), "radial_part": F(50), "centrifugal": F(10)}
+PUSHED = {"tangential": F(30), "radial_part": F(50), "centrifugal": F(10), "mass": F(1),
+          "pin": F(1, 10), "omega": F(10)}  # fmt: skip
 
 
 def height(angle, rod=None):
     rod = mpf(1) / 10 if rod is None else rod
     return R * mp.cos(angle) + mp.sqrt(rod**2 - (R * mp.sin(angle)) ** 2)
+
+
+def pull(radius):
+    """Return the acceleration of a point on a circle that turns once in 2π seconds."""
+    return abs(mp.diff(lambda a: radius * mp.expj(a), mpf(0), 2))
 
 
 def inertia_torque():
@@ -112,6 +118,13 @@ CRANK_TORQUE = {
     "rotating mass with two thirds of the rod": [(THIRDS, mpf(0.4) + UPPER[1])],
     "couple that corrects a rod of two masses": [(ENDS, DEFECT * 9), (ENDS, -DEFECT * 9)],
     "correction of the moment of inertia of a rod of two masses": [(ENDS, DEFECT), (ENDS, -DEFECT)],
+    "excess of inertia of a rod of two masses": [(ENDS, -DEFECT)],
+    "rotating mass of a throw and its rod": [
+        (
+            {**ENDS, "balance_mass": F(2), "arm_of_weight": F(1, 20), "pin": F(3, 100)},
+            BIG_END + 2 * pull(mpf(1) / 20) / pull(mpf(3) / 100),
+        )
+    ],
     "kinetic energy of a crank and its piston": [
         (WHEEL, mp.quad(lambda w: 2 * w, [0, 100]) + mp.quad(lambda v: 3 * v, [0, 5]))
     ],

@@ -173,6 +173,7 @@ SHAFTS = {
         (DRIVEN, passed(SPEED, DASHPOT)), (DRIVEN, passed(SPEED, 0)), (ABOVE, passed(2 * FREE, 0)),
     ],
     "phase angle of a forced vibration": [(DRIVEN, LAG)],
+    "lag of a forced vibration behind its force": [(DRIVEN, LAG)],
     "bow of a shaft that whirls": [({**DRIVEN, "eccentricity": F(2, 1000)}, BOW)],
     "energy lost per cycle in a viscous damper": [({**DRIVEN, "amplitude": F(3, 100)}, PER_CYCLE)],
     "optimum tuning of an absorber": [({"mass_ratio": F(1, 5)}, BEST)],
@@ -187,9 +188,12 @@ SHAFTS = {
     "natural frequency in cycles of two discs on a shaft": [(PAIR, TWO_DISCS / (2 * mp.pi))],
     **{name: cases for number in (2, 3, 4, 6) for name, cases in on_springs(number).items()},
     "natural frequency in cycles by the static deflection": [(SAGGED, FREE / (2 * mp.pi))],
-    "critical speed of bending of a shaft": [
-        (SAGGED, FREE), (SAGGED, FREE / (2 * mp.pi)), (SAGGED, FREE / (2 * mp.pi) * 60)
+    "critical speed of bending of a shaft": [(SAGGED, FREE)],
+    "critical speed of bending of a shaft in turns": [
+        (SAGGED, FREE / (2 * mp.pi)), (SAGGED, FREE / (2 * mp.pi) * 60)
     ],
+    "critical speed of bending of a shaft in turns per minute": [(SAGGED, FREE / (2 * mp.pi) * 60)],
+    "critical speed of bending of a shaft in turns per second": [(SAGGED, FREE / (2 * mp.pi))],
     "critical speed of two discs by Dunkerley": [(SPEEDS, by_softness(90, 130))],
     "critical speed of three discs by Dunkerley": [(SPEEDS, by_softness(90, 130, 210))],
     "moment of inertia reduced over a gear": [

@@ -12,6 +12,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
     BOTTOM,
     FASTEST,
+    HALF,
     HUMP,
     JERK,
     LARGEST,
@@ -75,6 +76,9 @@ def expected(kind, place, ratio):
     if kind == FASTEST:
         angle = largest(partial(rate, path, 1))[1]
         return [min(angle, 2 * mp.pi - angle)]
+    if kind == HALF:
+        middle = (path(0) + path(mp.pi)) / 2
+        return [mp.findroot(lambda angle: path(angle) - middle, 1.4)]
     function, order = orders[kind]
     motion = partial(rate, function, order)
     if place == LARGEST:

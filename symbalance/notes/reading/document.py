@@ -55,6 +55,7 @@ from symbalance.notes.reading.formulas.unit_places import (
     with_unit_of_whole,
     with_units_of_divisors,
 )
+from symbalance.notes.reading.left_aside import signs_left_aside
 from symbalance.notes.reading.letters.letter_names import matching_brace
 from symbalance.notes.reading.markup.type_settings import with_styles_blank
 from symbalance.notes.reading.passages.continued_lines import goes_on_below, goes_on_from
@@ -122,6 +123,8 @@ def read_document(
         unreadable = [_unreadable_in_place(part, source, text) for part in unreadable]
     chains.sort(key=lambda chain: chain.sides[0].span)
     unreadable.sort(key=lambda part: (part.line, part.column))
+    read = {line for chain in chains for line in chain.lines}
+    passed += signs_left_aside(text, read | {part.line for part in (*unreadable, *passed, *explained)})
     free = tuple(sorted(set(assembler.free_letters) - assembler.defined_letters))
     notes = source.notes
     if free:

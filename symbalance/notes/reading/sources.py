@@ -19,6 +19,7 @@ from symbalance.notes.reading.letters.extremes_apart import with_extremes_apart,
 from symbalance.notes.reading.letters.function_names import with_function_names
 from symbalance.notes.reading.letters.greek_words import with_greek_words
 from symbalance.notes.reading.letters.imaginary_j import with_imaginary_j
+from symbalance.notes.reading.letters.inertia_letters import inertias_named
 from symbalance.notes.reading.letters.letter_d import means_diameter
 from symbalance.notes.reading.letters.letter_e import lengths_named, means_letter, with_number_e
 from symbalance.notes.reading.letters.letter_i import counts_by_i
@@ -143,7 +144,12 @@ def prepare(
     reader.apply(with_frames_opened(reader.text))
     reader.apply(with_scripts_in_order(reader.text))
     own_letters = frozenset({"i"} if counts_by_i(reader.text) else ())
-    own_letters |= lengths_named(reader.text) | height_named(reader.text) | _diameters(reader.text)
+    own_letters |= (
+        inertias_named(reader.text)
+        | lengths_named(reader.text)
+        | height_named(reader.text)
+        | _diameters(reader.text)
+    )
     if means_letter(reader.text):
         own_letters |= {"e"}
         reader.apply(with_number_e(reader.text))

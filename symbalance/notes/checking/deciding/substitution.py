@@ -19,7 +19,7 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
         return value
     if isinstance(node, Derivative) and node.variable.name == name:
         raise NoFormError(f"a derivative by {name}, which is given a value")
-    bound = _bound_letter(node)
+    bound = bound_letter(node)
     if bound == name:
         raise NoFormError(f"{name}, which is bound within, is given a value")
     if isinstance(node, Summation) and node.index is not None and node.index.name == name:
@@ -30,7 +30,7 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
     return formula.with_parts_changed(node, lambda part: substitute(part, name, value))
 
 
-def _bound_letter(node: Formula) -> str:
+def bound_letter(node: Formula) -> str:
     """Return the letter that an integral, a limit or the like binds, "" if it is none."""
     if isinstance(node, formula.Integral | formula.Evaluation | formula.Limit | formula.Extremum):
         return node.variable.name

@@ -100,13 +100,20 @@ from symbalance.notes.checking.steps.ended_cases import (
     letters_of_ended,
     unless_of_ended_case,
 )
+from symbalance.notes.checking.steps.expanded_determinants import unless_another_polynomial
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
+from symbalance.notes.checking.steps.forced_motions import unless_no_forced_motion
 from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
 )
-from symbalance.notes.checking.steps.gravity import GRAVITY_UNIT, stands_for_gravity
+from symbalance.notes.checking.steps.gravity import (
+    GRAVITY_UNIT,
+    has_unit_of_gravity,
+    stands_for_gravity,
+)
+from symbalance.notes.checking.steps.impossible_ranges import unless_impossible
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
@@ -116,6 +123,7 @@ from symbalance.notes.checking.steps.letters_said_anew import (
     leave_letter_said_anew,
 )
 from symbalance.notes.checking.steps.letters_said_to_vary import unless_said_to_vary
+from symbalance.notes.checking.steps.listed_roots import unless_wrong_in_list
 from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
@@ -135,12 +143,15 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.own_row import by_own_row
+from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
 from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
 )
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
+from symbalance.notes.checking.steps.rival_cases import RivalCases
+from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
@@ -150,6 +161,7 @@ from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
+from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -161,6 +173,7 @@ from symbalance.notes.checking.units.plain_letters import PlainLetters
 from symbalance.notes.checking.units.rates_by_name import rate_dimension, turns_for_radians
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
+from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
 from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
 from symbalance.notes.checking.verdicts import (
     CONDITION,
@@ -225,6 +238,8 @@ class Judge:
         self.blocks = EngineBlocks(self.document.text, self.state.sections)
         self.exercises = OwnExercises(self.document)
         self.table_rows = TableRows(self.document)
+        self.rivals = RivalCases(self.document)
+        self.supposed = SupposedNumbers()
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
 
@@ -241,7 +256,10 @@ class Judge:
             return_to_case(self.state, chain)
             leave_ended_cases(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
+            self.rivals.enter(self.state, chain)
+            self.supposed.enter(self.state, chain)
             verdicts += self.chain(chain, chain_binds)
+            self.rivals.leave(self.state, chain)
         for binding in (b for rest in bindings.values() for b in rest):
             if not assertions.name_unreadable(verdicts, self.document, binding):
                 missing_equation = partial(assertions.missing_equation, self.document, binding)
@@ -417,11 +435,18 @@ class Judge:
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
-        verdict = unless_closed(self.state, chain, k, verdict)
+        if not self.rivals.are_beside(chain):
+            verdict = unless_closed(self.state, chain, k, verdict)
         verdict = unless_said_to_vary(self.state, chain, k, verdict)
         verdict = unless_of_ended_case(self.state, chain, k, verdict)
         verdict = unless_no_extreme(self.state, chain, k, verdict)
         verdict = unless_roughly_known(self.state, chain, k, verdict)
+        verdict = unless_impossible(self.state, chain, k, verdict)
+        verdict = unless_rate_of_ratio(self.state, chain, k, verdict)
+        verdict = unless_no_root(self.state, chain, k, verdict)
+        verdict = unless_wrong_in_list(self.state, chain, k, verdict)
+        verdict = unless_no_forced_motion(self.state, chain, k, verdict)
+        verdict = unless_another_polynomial(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
 
     def _with_rate_assumed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -560,6 +585,7 @@ class Judge:
         if self._is_of_all_values(chain, k):
             self.state.general |= _turned(chain.sides[k].node)
         self.state.general |= self._ranges_of_all_values(chain) | letters_of_ended(self.state, chain)
+        self.state.general |= self._claimed_always(chain, k)
         if not k and self.state.sections.is_called_identity(chain):
             self.state.general |= chain.letters
         examples = lines_of_numbers(self.state.definitions, self.state.general)
@@ -629,6 +655,17 @@ class Judge:
         before = text[max(0, last.start - LONGEST_PLACE * 2) : last.start]
         is_of_all = is_range and speaks_of_every(before)
         return last.letters if is_of_all and leads_to_claim(text[last.end : chain.start]) else frozenset()
+
+    def _claimed_always(self, chain: Chain, k: int) -> frozenset[str]:
+        """Return the letters of an inequality that is said to be so always: always y² ≥ 1.
+
+        Of different letters on its sides it may be what a machine is built for: always l > 2r.
+        """
+        left, right = (names(side.node) for side in chain.sides[k : k + 2])
+        is_of_same = len(left | right) == 1 or left == right
+        if chain.relations[k].sign not in SATISFIED_BY or not is_of_same:
+            return frozenset()
+        return left | right if self.state.sections.is_said_always(chain) else frozenset()
 
     def _unless_between_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""
@@ -901,19 +938,41 @@ class Judge:
         self, chain: Chain, k: int, against: int, knowledge: Knowledge
     ) -> dict[tuple[int, int], Mismatch | None]:
         """Return for each two readings of two sides where their units differ, None where they do not."""
-        values = {name: _value_with_units(d) for name, d in knowledge.definitions.items()}
-        symbols = self.declarations.symbols_at(chain.lines[0])
-        if stands_for_gravity(chain, k, knowledge):
-            symbols = {**symbols, "g": GRAVITY_UNIT}
-        rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
-        plain = self._plain_letters.at(chain.lines[0])
-        dimensions = Dimensions(symbols, values, self.document.text, rounded, plain)
+        dimensions = self._dimensions(chain, k, knowledge)
         left, right = chain.sides[against], chain.sides[k + 1]
         sources = (self.document.source(left.span), self.document.source(right.span))
         return {
             (m, n): dimensions.mismatch(first, second, sources)
             for (m, first), (n, second) in product(enumerate(left.readings), enumerate(right.readings))
         }
+
+    def _dimensions(self, chain: Chain, k: int, knowledge: Knowledge) -> Dimensions:
+        """Return the dimensions of the letters at a relation."""
+        values = {name: _value_with_units(d) for name, d in knowledge.definitions.items()}
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        if stands_for_gravity(chain, k, knowledge):
+            symbols = {**symbols, "g": GRAVITY_UNIT}
+        elif has_unit_of_gravity(chain, self.document.text, knowledge):
+            symbols = {**symbols, "g": GRAVITY_UNIT}
+            values = {name: value for name, value in values.items() if name != "g"}
+        rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
+        plain = self._plain_letters.at(chain.lines[0])
+        return Dimensions(symbols, values, self.document.text, rounded, plain)
+
+    def _unlike_unit_behind(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Refute a formula that words behind it say to be in another unit: √(g/δ) in m/s."""
+        right = chain.sides[k + 1]
+        if k + 1 < len(chain.relations) or not names(right.node) or chain.relations[k].sign not in "=≈":
+            return None
+        named = unit_behind_formula(self.document.text, chain.end)
+        if named is None:
+            return None
+        own = self._dimensions(chain, k, knowledge).side(right.node, self.document.source(right.span))
+        if own is None or own == named:
+            return None
+        mismatch = Mismatch("the formula is in", own, named)
+        witness = {"left": unit_text(own), "right": unit_text(named)}
+        return Decision(REFUTED, mismatch.reason, witness=witness)
 
     def _mismatch(self, chain: Chain, k: int, against: int, knowledge: Knowledge) -> Decision | None:
         """Refute a relation whose sides, or terms, are in different units."""
@@ -922,6 +981,8 @@ class Judge:
             return Decision(REFUTED, unlike[0])
         if (of_rate := self._unlike_unit(chain, k)) is not None:
             return of_rate
+        if against == k and (by_words := self._unlike_unit_behind(chain, k, knowledge)) is not None:
+            return by_words
         converted = decide_conversion(chain, k, self.document) if against == k else None
         if converted is not None and converted.is_proved:
             return None  # 17.9 lb.-in. is 206 kg mm, or a moment
@@ -964,7 +1025,7 @@ class Judge:
             return Decision(REFUTED, turns)
         head, right = chain.sides[0].node, chain.sides[k + 1].node
         own = Dimensions({}, {}, self.document.text).of_numbers(right)
-        if own is None:
+        if own is None or _UNIT_GOES_ON.match(self.document.text, right.span[1]):
             return None
         expected, what = rate_dimension(head), "the left side"
         symbols = self.declarations.symbols_at(chain.lines[0])
@@ -978,6 +1039,12 @@ class Judge:
         mismatch = Mismatch(f"{what} is in", expected, own)
         witness = {"left": unit_text(expected), "right": unit_text(own)}
         return Decision(REFUTED, mismatch.reason, witness=witness)
+
+
+_UNIT_GOES_ON = re.compile(
+    r"[\s$)\]]{0,6}(?:per|pro|par|por|al)\s(?:second|minute|min|s|sec|hour|metre|meter|m)\w*"
+)
+"""Behind a unit of which a line has but the beginning: 27.08 radians, per second in the next."""
 
 
 def _has_dimension(letter: Name, symbols: Mapping[str, str]) -> bool:

@@ -46,6 +46,8 @@ from symbalance.notes.checking.meant.given_numbers import number_given
 from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.meant.meant_extremes import decide_declared_extreme
 from symbalance.notes.checking.meant.order_speeds import decide_order_speed
+from symbalance.notes.checking.meant.parallel_axes import decide_parallel_axes
+from symbalance.notes.checking.meant.sizes_of_round_shafts import decide_round_ratio
 from symbalance.notes.checking.meant.two_discs import decide_two_discs
 from symbalance.notes.checking.motions.action_and_reaction import against_reaction
 from symbalance.notes.checking.motions.equations_of_motion import (
@@ -298,6 +300,7 @@ def _judge_step(
     if decision.status in STATED:
         by_words = value_at_dead_centre(state, chain, k, knowledge)
         by_words = by_words or decide_two_discs(chain, k, state.document)
+        by_words = by_words or decide_round_ratio(chain, k, state.document)
         by_words = by_words or decide_half_of_a_swing(state.engine_resultants, chain, k, knowledge)
         by_words = by_words or _moment_by_name(state, chain, k, knowledge)
         by_words = by_words or _by_named_inverse(state, chain, k, knowledge)
@@ -422,16 +425,21 @@ def _as_another_named(state: JudgingState, chain: Chain, k: int, knowledge: Know
 def _by_named_inverse(
     state: JudgingState, chain: Chain, k: int, knowledge: Knowledge
 ) -> Verdict | Decision | None:
-    """Return the verdict on ω² = … or 1/c = … by the quantity that words name.
+    """Return the verdict on ω² = …, 1/c = … or i n = 60 f by the quantity that words name.
 
     Nothing rests on a wrong one.
     """
     name = head_of(chain.sides[k].node)
-    if k or name is None or isinstance(chain.sides[0].node, Name):
+    if k or isinstance(chain.sides[0].node, Name):
         return None
     outcome = state.named.judge(chain, k, knowledge)
     if isinstance(outcome, Verdict) and outcome.verdict == REFUTED:
-        state.definitions.lapse(name)
+        if name is not None:
+            state.definitions.lapse(name)
+        for letter in (
+            () if name is not None else (*names(chain.sides[0].node), *names(chain.sides[1].node))
+        ):
+            state.definitions.forget_line(letter, chain.lines[0])
     return outcome
 
 
@@ -645,6 +653,7 @@ def _as_meant(
         outcome = value_at_dead_centre(state, chain, k, knowledge)
     if outcome is None and definition.status in (DEFINITION, PREMISE):
         outcome = state.named_orders.judge(chain, k, knowledge, state.cranks_of)
+        outcome = outcome or decide_parallel_axes(chain, k, state.document)
         outcome = outcome or state.named.judge(chain, k, knowledge)
         outcome = outcome or state.named_numbers.judge(chain, k, knowledge)
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)

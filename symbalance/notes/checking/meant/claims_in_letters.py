@@ -17,6 +17,7 @@ from symbalance.document.formula import (
     PlusMinus,
     Power,
     Product,
+    Quotient,
     children,
     names,
     walk,
@@ -50,6 +51,20 @@ def with_sizes(claim: Formula, knowledge: Knowledge) -> Formula:
         node = None if definition is None or definition.numeric else definition.node
         is_product = isinstance(node, Product) and all(isinstance(f, Name | Power) for f in node.factors)
         if node is not None and is_product and not names(node) & {letter}:
+            claim = substitute(claim, letter, node)
+    return claim
+
+
+def with_ratios(claim: Formula, knowledge: Knowledge) -> Formula:
+    """Return a formula with each letter put in that the page defines as a ratio n_1/n_2 of one kind."""
+    for letter in sorted(names(claim)):
+        definition = knowledge.definitions.get(letter)
+        node = None if definition is None or definition.numeric else definition.node
+        if not isinstance(node, Quotient):
+            continue
+        both = [part.name for part in (node.numerator, node.denominator) if isinstance(part, Name)]
+        stems = {name.partition("_")[0] for name in both if name.partition("_")[2]}
+        if len(both) == 2 and len(stems) == 1 and all("_" in name for name in both):
             claim = substitute(claim, letter, node)
     return claim
 

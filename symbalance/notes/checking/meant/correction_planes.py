@@ -1,7 +1,8 @@
 """Shares of two planes in what acts between them: the plane at the distance a takes U b/(a + b).
 
 The words of a page say which letter is the distance from which plane or bearing. By the moments about the
-other one, each takes the share of the other's distance; the shares exchanged are the slip.
+other one, each takes the share of the other's distance; the slips are the shares exchanged, the quotient
+of the two distances, and the share upside down.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbalance.document.formula import Formula, Name, Product, Quotient, Sum, names
+from symbalance.document.formula import Formula, Name, Negative, Product, Quotient, Sum, names
 from symbalance.notes.checking.meant.formula_slips import agrees
 from symbalance.text import lazy_patterns as re
 
@@ -88,10 +89,24 @@ class CorrectionPlanes:
         far, near = Name(self.distances[1 - side]), Name(self.distances[side])
         for whole in sorted(names(claim) - {far.name, near.name}):
             for length in (Sum((near, far)), *(Name(n) for n in sorted(names(claim)) if n in ("l", "L"))):
-                right, wrong = (Quotient(Product((Name(whole), each)), length) for each in (far, near))
-                if agrees(right, claim) or agrees(wrong, claim):
-                    return right, wrong
+                right = Quotient(Product((Name(whole), far)), length)
+                for wrong in _not_shares(Name(whole), far, near, length):
+                    if agrees(right, claim) or agrees(wrong, claim):
+                        return right, wrong
         return None
+
+
+def _not_shares(whole: Formula, far: Formula, near: Formula, length: Formula) -> tuple[Formula, ...]:
+    """Return what is often written for the share U b/(a + b): the other plane's, U b/a, U (a + b)/b."""
+    gaps = (Sum((near, Negative(far))), Sum((far, Negative(near))))
+    return (
+        Quotient(Product((whole, near)), length),
+        Quotient(Product((whole, far)), near),
+        Quotient(Product((whole, near)), far),
+        *(Quotient(Product((whole, length)), each) for each in (far, near)),
+        *(Quotient(Product((whole, far)), gap) for gap in gaps),
+        *(Quotient(Product((whole, near)), gap) for gap in gaps),
+    )
 
 
 def _side_of(word: str) -> int | None:

@@ -204,6 +204,22 @@ def _is_any_exchange(target: Formula, claim: Formula) -> bool:
     return any(_is_exchanged(target, claim, [*pair]) for pair in pairs)
 
 
+def factor_of(target: Formula, claim: Formula) -> Fraction | None:
+    """Return the number by which a formula differs from another one; None where none does."""
+    letters = sorted(names(target) | names(claim))
+    values = [
+        (value_at(target, point), value_at(claim, point))
+        for rows, unit in ((POINTS, 10), (SMALL, 100), (FALLING, 10))
+        for point in _points(letters, rows, unit)
+    ]
+    ratios = [claimed / own for own, claimed in values if own and isfinite(own) and isfinite(claimed)]
+    if not ratios or not all(isclose(each, ratios[0], rel_tol=_EXACT) for each in ratios):
+        return None
+    factor = Fraction(ratios[0]).limit_denominator(10**9)
+    factor = factor if factor else 1 / Fraction(1 / ratios[0]).limit_denominator(10**9)
+    return factor if isclose(float(factor), ratios[0], rel_tol=_EXACT) else None
+
+
 def is_multiple(target: Formula, claim: Formula) -> bool:
     """Tell whether a formula is another one with a factor."""
     ratios = _ratio_of(target, claim)

@@ -22,7 +22,7 @@ _ONE = Number(Fraction(1))
 
 
 def head_of(side: Formula) -> str | None:
-    """Return the letter that a side gives a value: alone, as power, inverse or tangent; None for others.
+    """Return the letter that a side gives a value: alone, as power, inverse or sine; None for others.
 
     >>> head_of(1 / Name("c")), head_of(Name("omega") ** Fraction(2)), head_of(Name("a") * Name("b"))
     ('c', 'omega', None)
@@ -34,7 +34,7 @@ def head_of(side: Formula) -> str | None:
             return name
         case Quotient(numerator=Number(value=1), denominator=below):
             return None if isinstance(below, Quotient) else head_of(below)
-        case Call(function="tan", argument=Name(name=name)):
+        case Call(function="tan" | "sin" | "cos", argument=Name(name=name)):
             return name
     return None
 
@@ -56,8 +56,9 @@ def as_side(side: Formula, formula: Formula) -> Formula:
     match side, formula:
         case Name(), _:
             return formula
-        case Call(function="tan"), Call(function="atan", argument=tangent):
-            return tangent
+        case Call(function=function), Call(function="atan", argument=tangent):
+            longest = Call("sqrt", 1 + tangent ** Fraction(2))
+            return {"tan": tangent, "sin": tangent / longest, "cos": 1 / longest}[function]
         case Power(exponent=Number(value=2)), _:
             return _squared(formula)
         case Quotient(denominator=below), _:

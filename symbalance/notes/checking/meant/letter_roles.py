@@ -96,12 +96,17 @@ _END_BEFORE = {
     for role, words in ROD_ENDS.items()
 }
 """Which end of a rod a distance is taken from, behind its letter or before: a from the big end."""
+_ARTICLE = r"(?:the|its|a|der|die|das|dem|den|des)"
+_GREEK = (
+    r"(?:alpha|beta|gamma|delta|epsilon|eta|(?:var)?theta|lambda|mu|nu|rho|sigma|tau"
+    r"|(?:var)?phi|psi|omega)"
+)
 _APPOSED = re.compile(
-    r"\s*(?:the|its|a|der|die|das)\s+((?:[\w-]+ ){0,3}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
+    rf"\s*{_ARTICLE}\s+((?:[\w-]+ ){{0,5}}?[\w-]+)(?=\s*[,.;)]|\s+(?:and|und)\b|\s*$)", re.I
 )
 """The same without a verb, as in a list: D is the damping ratio and η the frequency ratio."""
 _NEXT_IN_LIST = re.compile(
-    r"(?:^|[\s(])[^\W\d_](?:_\w{1,4}|\d)?\s(?:is\s|being\s)?(?:the|a|der|die|das)\s[\w -]{2,30}"
+    rf"(?:^|[\s(])(?:[^\W\d_]|{_GREEK})(?:_\w{{1,4}}|\d)?\s(?:is\s|being\s)?{_ARTICLE}\s[\w -]{{2,40}}"
     r"(?:,|\sand|\sund)\s*$"
 )
 """Before a letter in a list, the item of the one before it: s the stroke, n the speed."""
@@ -261,13 +266,16 @@ class LetterRoles:
                 listed = _LISTED.match(behind) if words.rstrip().endswith(",") else None
                 follows = _IS.match(behind) or apposed or listed
                 phrase = _LINKS.sub("", _FIRST_OF_TWO.sub(r"\1", words))
-                if follows is None and _NEXT_IN_LIST.search(words):
+                is_in_list = _NEXT_IN_LIST.search(words) is not None
+                if follows is None and is_in_list:
                     continue
                 if ":" in words[len(phrase) :] and not _is_of_letter(phrase, letter):
                     continue
                 if follows is not None:
                     phrases.append(_LINKS.sub("", follows[1]))
-                if follows is None or not words.rstrip().endswith(","):  # in the rod, φ being …
+                if follows is None or not (
+                    is_in_list or words.rstrip().endswith(",")
+                ):  # in the rod, φ being
                     phrases.append(phrase[-LONGEST_NAME:])
             self._before[letter] = [words.replace("\n", " ") for words in phrases]
         return self._before[letter]

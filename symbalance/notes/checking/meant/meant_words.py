@@ -33,6 +33,7 @@ from symbalance.notes.checking.declared.symbol_roles import (
     role_of,
 )
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
+from symbalance.notes.checking.words.accuracies import without_orders_of_series
 from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
@@ -78,9 +79,9 @@ _AND_ANOTHER = re.compile(
 )
 """Behind it another thing is named: put in the force, and the largest term is T."""
 _NO_UNIT = re.compile(
-    r"per\b|\bje\b|\bpro\b|proportional|specific|spezifisch|bezogen|relative|unit|of\s+inertia|Trägheits"
-    r"|Widerstands|Flächen|moments?\s+of\s+(?:area|resistance)|慣性モーメント|断面|momentum|ratio|Verhältnis|比"
-    r"|dimensionless|divided|geteilt",
+    r"\bper\b|\bje\b|\bpro\b|proportional|specific|spezifisch|bezogen|relative|\bunits?\b|of\s+inertia|Trägheits"
+    r"|Widerstands|Flächen|moments?\s+of\s+(?:area|resistance)|慣性モーメント|断面|momentum|\bratio|Verhältnis|比"
+    r"|dimensionless|divided|geteilt|derivative|rates?\s+of\s+change|ableitung|微分",
     re.IGNORECASE,
 )
 """Words beside the name of a force or a moment that may make another dimension of it."""
@@ -282,11 +283,12 @@ class MeantWords:
 
     def _named(self, name: str, chain: Chain) -> Named | None:
         """Return the same with the words in English."""
-        own = self._without_letters_told(self.before(chain))
+        own = self._without_letters_told(without_orders_of_series(self.before(chain)))
         proposal = self.proposals.get(name)
         if proposal is not None and proposal.words and proposal.line <= chain.lines[0]:
             quoted = proposal.words
-            if proposal.meaning in MOVING and not _OTHER.search(f"{quoted} {own}"):
+            said = without_orders_of_series(quoted)
+            if proposal.meaning in MOVING and not _OTHER.search(f"{said} {own}"):
                 return Named(proposal.meaning, phrase_of(proposal), _LARGEST.search(quoted) is not None)
             if proposal.meaning in MOVING:
                 return Named("", quoted)

@@ -57,6 +57,12 @@ from symbalance.notes.checking.meant.meant_quantities import (
 from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
 from symbalance.notes.checking.meant.order_directions import OrderDirections, Sizes
 from symbalance.notes.checking.meant.signs_in_series import multiple_of_angle, sign_in_series
+from symbalance.notes.checking.meant.waves_of_named_orders import (
+    WITHOUT_RATIO,
+    OrderNamed,
+    has_ratio_as_number,
+    refute_wave,
+)
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
 from symbalance.notes.checking.words.accuracies import introduces_aid, without_accuracies
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles
@@ -227,7 +233,22 @@ class NamedOrders:
         order = None if head is None else self._order_of(head, chain, right)
         if head is None or order is None or order.number > HIGHEST or _has_several_orders(right):
             return None
-        angles = cranks(chain)
+        outcome = self._judge_order(head, order, chain, knowledge, cranks(chain))
+        is_of_letters = names(right) and not order.is_coefficient
+        if outcome is not None or not is_of_letters or isinstance(self.meant.sources.engines, NoEngines):
+            return outcome
+        kind = order.kind
+        text = (
+            f"{plain_letter(head.name)} is order {order.number} of the {kind} ({NOBODY}; {order.source})"
+        )
+        named = OrderNamed(order.number, order.words, text, kind == TORQUE, kind == COUPLE)
+        return run_within(SEARCH, lambda: refute_wave(named, chain, self.meant, knowledge), SHARE)
+
+    def _judge_order(
+        self, head: Name, order: _Order, chain: Chain, knowledge: Knowledge, angles: CrankAngles | None
+    ) -> Verdict | Decision | None:
+        """Return the verdict on an order by the slider-crank's series, or by the whole engine."""
+        right = without_dots(chain.sides[1].node)[0]
         is_of_all = isinstance(chain.sides[0].node, Summation) or order.is_left
         if is_of_all and (angles is None or not angles.is_usual):
             return None
@@ -348,6 +369,7 @@ class NamedOrders:
         is_alone = not self._speaks_of_more and not _IN_A_CASE.search(own)
         is_of_one = _OF_ONE.search(own) is not None
         is_of_engine = (bool(header) or is_left or _FREE.search(own) is not None) and not is_of_one
+        is_of_engine |= kinds[0] == TORQUE and _is_of_several(own)
         return _Order(
             number,
             kinds[0],
@@ -494,6 +516,11 @@ class NamedOrders:
         is_whole = order.is_in_row or (order.is_of_engine and not _PARTLY.search(order.words))
         is_alone = order.is_alone or (is_whole and factor > 1)
         is_whole_of_all = is_whole and factor > 1
+        if WITHOUT_RATIO.search(order.words) or (factor <= 1 and _is_of_several(order.words)):
+            return None
+        has_ratio = names(right.node) & (names(crank.ratio) - names(crank.radius))
+        if not has_ratio and order.kind != TORQUE and has_ratio_as_number(right.node):
+            return None
         if not order.kind or not is_alone or (is_guess and not is_whole_of_all) or crank.small is None:
             return None
         sizes = names(crank.mass) | names(crank.radius) | names(crank.omega)

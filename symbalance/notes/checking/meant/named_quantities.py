@@ -14,7 +14,7 @@ letter that words call something else, or any formula that the same words may me
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -37,11 +37,17 @@ from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.cases import NO_POINT
 from symbalance.notes.checking.deciding.descriptions import describe
-from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    without_dots,
+)
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import bound_letter, substitute
 from symbalance.notes.checking.meant.catalogue import Quantity
 from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
 from symbalance.notes.checking.meant.changed_quantities import Traits, is_changed
@@ -50,18 +56,32 @@ from symbalance.notes.checking.meant.claims_in_letters import (
     name_of_head,
     outside_calls,
     with_exact_halves,
+    with_ratios,
     with_sizes,
     without_plus_minus,
 )
 from symbalance.notes.checking.meant.correction_planes import CorrectionPlanes
-from symbalance.notes.checking.meant.formula_slips import agrees, differs, is_multiple, slip_of
+from symbalance.notes.checking.meant.formula_slips import (
+    agrees,
+    differs,
+    factor_of,
+    is_multiple,
+    slip_of,
+)
 from symbalance.notes.checking.meant.left_sides import LETTER, as_side, end_named, head_of
 from symbalance.notes.checking.meant.letter_roles import LetterRoles, index_of, stem_of
+from symbalance.notes.checking.meant.letter_units import (
+    LetterUnits,
+    Numbers,
+    between_quantities,
+    numbers_of,
+)
 from symbalance.notes.checking.meant.letters_otherwise import are_otherwise
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
 from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimension
+from symbalance.notes.checking.meant.solved_sides import Solved, solved_sides
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
@@ -92,9 +112,13 @@ _PART = re.compile(
 )
 """Words that make of a quantity a part or a multiple of it: no factor in it is a slip."""
 _SETTING = re.compile(
-    r"\b(?:on|between|auf|zwischen|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
+    r"\b(?:per|je|pro) (?:cycle|arbeitsspiel|arbeitszyklus)|\b(?:on|between|auf|zwischen"
+    r"|in) (?:two|zwei) \w+|\bbetween (?:the two|both) \w+"
     r"|zwischen (?:den )?beiden \w+|\b(?:at )?both ends|\bbeidseitig|両端"
     r"|\b(?:brake |indicated )?mean (?:effective |indicated )*(?:effective )?pressure"
+    r"|\bmean (?:piston(?! pressure)|angular|speed|velocity)|mittlere[rnms]? (?:kolben"
+    r"|winkel)(?!druck)(?:gesch\w*)?"
+    r"|mittlere[rnms]? drehzahl|平均(?:ピストン|角)?(?:速度|スピード)|平均回転(?:数|速度)"
     r"|mittlere[rnms]? (?:\w+ )?(?:arbeits|nutz|innen|kolben)?druck|(?:正味|図示)?平均有効圧力?"
     r"|pression (?:effective )?moyenne(?: effective)?"
     r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|umdrehungen|drehzahlen|point masses"
@@ -145,6 +169,14 @@ _ENGINE_SIZE = re.compile(
     re.IGNORECASE,
 )
 """The number of an engine's cylinders, which its formulas take as it is."""
+_OF_ALL = re.compile(r"\btotal|\bwhole|\bentire|\bgesamt|総|全", re.IGNORECASE)
+_COUNTED_BY_LETTER = re.compile(
+    r"\$\\?[A-Za-z](?:_\{?\w{1,4}\}?)?\$[- ](?:cylinder|zylinder|cylindre|cilindr)"
+    r"|(?:number of cylinders|zylinderzahl"
+    r"|anzahl der zylinder|(?:シリンダ|気筒)数を?)\s?\$?[A-Za-z]\b|\$[A-Za-z]\$\s?気筒",
+    re.IGNORECASE,
+)
+"""Words for all cylinders of an engine, and for a letter that is their number."""
 _SINGLE = re.compile("single|ein[^ s]|mono|単", re.IGNORECASE)
 """The name of an engine of one cylinder, and no words of one cylinder of an engine."""
 _ROD_FORCE = re.compile(
@@ -155,7 +187,19 @@ _ROD_FORCE = re.compile(
 """Words for the force in the rod, whose letter may be any that a force has."""
 _OF_MINUTES = (30, 60, 120)
 """Numbers that turn revolutions or cycles of a second into those of a minute."""
-_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan")
+_MANY, _FEWEST_DIGITS = 100, 3
+"""A number of so many digits that it may be rounded."""
+_UNIT_OF_TIME = re.compile(r"\b(?:1/s|s\^?-1|Hz|rps|1/min|min\^?-1|rpm|rev/|tr/|U/min)|s⁻¹|min⁻¹")
+"""In a declaration, what a speed of rotation is counted in."""
+_CONVERTING = 1000
+"""A number from which on one in a standard formula is that of units."""
+_ANGULAR = ("omega", "omega_high", "omega_low")
+_WITHOUT_UNIT = (
+    "cylinders", "efficiency", "ratio", "slenderness", "order", "fluctuation", "compression", "share",
+    "crank_angle", "turned_angle",
+)  # fmt: skip
+"""Roles of numbers that have no unit."""
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan", "ln")
 
 
 @dataclass
@@ -164,6 +208,15 @@ class NamedQuantities:
 
     document: ReadNotes
     sections: Sections
+    _is_solving: bool = field(default=False, init=False)
+    """Whether a relation is judged as solved for one of its letters: by words alone then."""
+    numbers: Numbers | None = None
+    """The units of the letters of the formula that is judged, where words give them."""
+
+    @cached_property
+    def units(self) -> LetterUnits:
+        """The units that words give letters."""
+        return LetterUnits(self.document)
 
     @cached_property
     def page(self) -> str:
@@ -218,6 +271,8 @@ class NamedQuantities:
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         is_first = k == 0 and chain.relations[0].sign in "=≈"
         name = (name_of_head(left) or head_of(left) or "") if is_first else ""
+        if is_first and not name:
+            return self._solved(chain, knowledge)
         right = without_plus_minus(right)
         chain = replace(
             chain, sides=(chain.sides[0], Side((right,), chain.sides[1].span), *chain.sides[2:])
@@ -229,9 +284,11 @@ class NamedQuantities:
             )
         right = with_exact_halves(right, self.stated.numbers.values())
         own = names(right)
+        if _has_arm_of_another(name, own):
+            return None
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
-        if any(isinstance(part, Call) and part.function not in _FUNCTIONS for part in walk(right)):
+        if any(_is_of_no_formula(part, own) for part in walk(right)):
             return None
         try:
             return run_within(SEARCH, lambda: self._judge_both(chain, name, right, knowledge), SHARE)
@@ -239,19 +296,64 @@ class NamedQuantities:
             reason = f"whether its words name a standard formula was not decided within {problem.spent}"
             return Decision(DEFINITION, reason)
 
+    def _solved(self, chain: Chain, knowledge: Knowledge) -> Verdict | Decision | None:
+        """Return the verdict on a relation that gives one of several letters a value, i n = 60 f.
+
+        It is judged as solved for each of them. A proof of one says more than that another is wrong.
+        """
+        first, second = chain.sides[0], chain.sides[1]
+        found: Verdict | None = None
+        for solved in solved_sides(first.node, without_dots(second.node)[0]):
+            sides = (Side((solved.left,), first.span), Side((solved.right,), second.span))
+            self._is_solving = True
+            try:
+                outcome = self.judge(replace(chain, sides=(*sides, *chain.sides[2:])), 0, knowledge)
+            finally:
+                self._is_solving = False
+            if isinstance(outcome, Decision):
+                return outcome
+            found = found or (outcome and self._as_written(chain, solved, outcome))
+        return found
+
+    def _as_written(self, chain: Chain, solved: Solved, verdict: Verdict) -> Verdict:
+        """Return the verdict on a relation solved for a letter as one on the relation as it stands."""
+        side = chain.sides[1]
+        shown = replace(
+            verdict, source=self.document.shown(side.node, side.span), node=side.node,
+            claimed=formula_text(side.node, plain=True), exact="", exact_node=None, differences=(),
+        )  # fmt: skip
+        if verdict.fix is None:
+            return shown
+        node = solved.as_written(verdict.fix.node)
+        repair = Repair(verdict.fix.kind, node, ((side.node, node),), 1.0)
+        return replace(shown, fix=fix_of(repair, self.document, side))
+
     def _judge_both(
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
     ) -> Verdict | Decision | None:
         """Return the verdict on a formula as it stands, or else with the products above put in."""
         outcome = self._share_of_plane(chain, name, claim)
-        outcome = outcome or self._judge(chain, name, claim, knowledge)
+        by_speeds = with_ratios(claim, knowledge)
+        if outcome is None and by_speeds != claim and len(names(by_speeds)) <= MOST_LETTERS:
+            sides = (chain.sides[0], Side((by_speeds,), chain.sides[1].span), *chain.sides[2:])
+            outcome = self._judge_in_units(replace(chain, sides=sides), name, by_speeds, knowledge)
+        outcome = outcome or self._judge_in_units(chain, name, claim, knowledge)
         if outcome is not None:
             return outcome
         whole = with_sizes(claim, knowledge)
         if whole == claim or len(names(whole)) > MOST_LETTERS or name in names(whole):
             return None
         sides = (chain.sides[0], Side((whole,), chain.sides[1].span), *chain.sides[2:])
-        return self._judge(replace(chain, sides=sides), name, whole, knowledge)
+        return self._judge_in_units(replace(chain, sides=sides), name, whole, knowledge)
+
+    def _judge_in_units(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a formula with the units that words give its letters."""
+        self.numbers = self._numbers(chain, name, claim, knowledge)
+        if self.numbers is not None and self.numbers.is_mixed:
+            return None
+        return self._judge(chain, name, claim, knowledge)
 
     def of_another(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a letter's formula where its clause names it of something else.
@@ -291,12 +393,15 @@ class NamedQuantities:
         self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
     ) -> Verdict | Decision | None:
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
-        side = chain.sides[1]
         left = LETTER if " " in name else chain.sides[0].node
         candidates = [
             replace(each, left=left, end=self._end(chain))
             for each in self.words.named(name, chain, knowledge)
         ]
+        if name in knowledge.definitions or any(
+            _UNIT_OF_TIME.search(m) for m in knowledge.meanings.values()
+        ):
+            candidates = [each for each in candidates if not each.quantity.is_by_unit]
         sign = chain.relations[0].sign
         plain = [each for each in candidates if each.quantity.is_plain]
         candidates = [each for each in candidates if not each.quantity.is_plain]
@@ -305,21 +410,10 @@ class NamedQuantities:
             for named in candidates
             for target in self._targets(named.formulas_for(sign), claim, name, named, knowledge)
         ]
-        for named, target in pairs:
-            if not decimals(claim) and not agrees(target, claim):
-                continue  # a proof costs more than a comparison
-            decision = decide(Side((target,), side.span), side, sign, known)
-            is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
-            if decision.is_proved and not decision.order:
-                if self._is_changed(chain, name, claim, named, knowledge):
-                    return None
-                signs = {f"{n} ≥ 0" for n in names(claim)}
-                signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
-                rest = [text for text in decision.assumptions if text not in signs]
-                rest += ["the rod is long"] if is_rough else []
-                self.words.words_above[name] = named.words
-                self.roles.taken[name] = _ROLE_OF.get(named.quantity.name, "")
-                return replace(decision, assumptions=(self.text(name, named), *rest))
+        proofs = (self._proof(chain, name, claim, *pair, known, knowledge) for pair in pairs)
+        proof = next((each for each in proofs if each is not None), None)
+        if proof is not None:
+            return proof if proof.is_proved else None
         if (inverted := self._inverted(chain, name, claim, plain, knowledge)) is not None:
             return inverted
         in_letters_of = {
@@ -338,15 +432,66 @@ class NamedQuantities:
         if len(fitting) != 1:
             is_unnamed = all(each.is_other or each.quantity.name not in in_letters_of for each in own)
             is_unnamed &= " " not in name
+            if self._is_solving:
+                return None  # F L = m r ω² a is no formula of F by its form
             by_form = self._by_form(chain, name, claim, knowledge, known) if is_unnamed else None
             return by_form or self._by_dimension(chain, name, claim, knowledge)
         (named,) = fitting.values()
-        if named.quantity.turns and self.counts_from_elsewhere:
+        is_turned = named.quantity.turns and self.counts_from_elsewhere
+        if is_turned or self._is_one_of_all(chain, name, claim, named, knowledge):
             return None
         self.words.words_above.setdefault(name, named.words)
         targets = [target for each, target in pairs if each is named]
         targets += self._targets(named.quantity.approximate, claim, name, named, knowledge)
         return self._with_slip(chain, name, claim, named, targets, known, knowledge)
+
+    def _proof(
+        self,
+        chain: Chain,
+        name: str,
+        claim: Formula,
+        named: Named,
+        target: Formula,
+        known: Knowledge,
+        knowledge: Knowledge,
+    ) -> Decision | None:
+        """Return the proof that a formula is a standard one; None where it is not.
+
+        An open decision says that it is, but that the words make another quantity of the named one.
+        """
+        side, sign = chain.sides[1], chain.relations[0].sign
+        is_equal = decimals(claim) or agrees(target, claim)
+        if is_equal:  # a proof costs more than a comparison
+            decision = decide(Side((target,), side.span), side, sign, known)
+        elif self.numbers is not None and _is_rounded(target, claim):
+            decision = Decision(
+                PROVED, assumptions=(f"its number is rounded, of {formula_text(target)}",)
+            )
+        else:
+            return None
+        if not decision.is_proved or decision.order:
+            return None
+        if self._is_changed(chain, name, claim, named, knowledge):
+            return Decision(UNDECIDED)
+        is_rough = target in self._targets(named.quantity.approximate, claim, name, named, knowledge)
+        signs = {f"{n} ≥ 0" for n in names(claim)}
+        signs |= {f"{plain_letter(n)} ≥ 0" for n in names(claim)}
+        rest = [text for text in decision.assumptions if text not in signs]
+        rest += ["the rod is long"] if is_rough else []
+        self.words.words_above[name] = named.words
+        self.roles.taken[name] = _ROLE_OF.get(named.quantity.name, "")
+        return replace(decision, assumptions=(self.text(name, named), *rest))
+
+    def _numbers(self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge) -> Numbers | None:
+        """Return the units that words give the letters of a formula; None where none of them matters."""
+        if " " in name:
+            return None
+        without = [
+            n
+            for n in names(claim)
+            if any(self.roles.may_be(n, role, knowledge.meanings) for role in _WITHOUT_UNIT)
+        ]
+        return numbers_of(self.units, chain, name, names(claim), without)
 
     def _is_changed(
         self, chain: Chain, name: str, claim: Formula, named: Named, knowledge: Knowledge
@@ -359,6 +504,8 @@ class NamedQuantities:
             knowledge.meanings.get(name, "") if named.is_declared else self.words.sentence_before(chain)
         )
         formulas = (*named.quantity.formulas, *named.quantity.approximate)
+        if self._is_one_of_all(chain, name, claim, named, knowledge):
+            return True
         of_all = tuple(node for node in formulas if cylinders.name in names(node))
         of_one = tuple(node for node in formulas if cylinders.name not in names(node))
         if of_all and not any(
@@ -373,6 +520,20 @@ class NamedQuantities:
             is_by_minute=any(isinstance(p, Number) and p.value in _OF_MINUTES for p in walk(claim)),
         )
         return is_changed(text, named.words, traits)
+
+    def _is_one_of_all(
+        self, chain: Chain, name: str, claim: Formula, named: Named, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether a formula is one cylinder's, where words ask for all of $z$ cylinders."""
+        of_all = [node for node in named.quantity.formulas if _is_times_cylinders(node)]
+        of_all = [
+            node for node in of_all if cylinders.name in names(node) and "volume" not in names(node)
+        ]
+        text = self.words.glossary.english(self.words.sentence_before(chain))
+        if not of_all or not _OF_ALL.search(text) or not _COUNTED_BY_LETTER.search(text):
+            return False
+        of_one = tuple(substitute(node, cylinders.name, Number(Fraction(1))) for node in of_all)
+        return any(agrees(each, claim) for each in self._shaped(of_one, claim, name, named, knowledge))
 
     def _shaped(
         self,
@@ -509,12 +670,27 @@ class NamedQuantities:
             put_in = (substitute(f, cylinders.name, Number(Fraction(count))) for f in formulas)
             formulas = (*formulas, *(f for f in put_in if f not in formulas))
         formulas = (*self._counted(named.quantity, formulas, claim, name, knowledge), *formulas)
+        if self.numbers is not None and self.numbers.has_rate:
+            formulas = between_quantities(named.quantity, formulas)
         every = self.stated.with_numbers(formulas, named.quantity.stated)
         shaped = tuple(as_side(named.left, formula) for formula in every)
         head = name
         if ("", "own_inertia") in together and not index_of(name):
             head = f"{name}_{named.end}"
-        return list(self.roles.targets(shaped, claim, knowledge.meanings, together, head))
+        readings = self.roles.readings(shaped, claim, knowledge.meanings, together, head)
+        needed = [(role, index.split()) for role, index in named.quantity.subscripts]
+        fitting = [
+            (target, letters)
+            for target, letters in readings
+            if all(index_of(letters[role]) in indices for role, indices in needed if role in letters)
+        ]
+        if self.numbers is None or any(map(_has_large_number, formulas)):
+            return [target for target, _ in fitting]  # 30000 G m/(π n) is between numbers as it stands
+        return [
+            self.numbers.converted(target)
+            for target, letters in fitting
+            if not any(letters.get(role) in self.numbers.rates for role in _ANGULAR)  # n in min⁻¹ is no ω
+        ]
 
     def _counted(
         self,
@@ -572,6 +748,7 @@ class NamedQuantities:
         mistakes = self._mistakes(named, claim, name, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
         is_other = not is_mistake and any(agrees(other, claim) for other in others)
+        is_other |= self._is_between_quantities(name, claim, named, knowledge)
         if is_other or _has_complement(claim, knowledge):
             return None
         count = named.cylinders
@@ -583,8 +760,7 @@ class NamedQuantities:
         is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
         if quantity.only is not None or (is_counted and len(self.counts) == 1):
             own = _ENGINE_SIZE.sub("", own)
-        is_in_words = may_be_part(own)
-        is_part = is_in_words or _has_own_convention(claim, knowledge)
+        is_part = may_be_part(own) or _has_own_convention(claim, knowledge)
         is_part = is_scaled or (is_part and "part" not in quantity.slips)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
         counted = self._targets(
@@ -600,7 +776,9 @@ class NamedQuantities:
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
             kind = slip_of(target, claim, slips, is_part)
-            if not kind and is_mistake and not (is_part and is_multiple(target, claim)) and not is_scaled:
+            kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
+            is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
+            if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
             if not kind or (is_scaled and kind == "one change"):
                 continue
@@ -620,11 +798,31 @@ class NamedQuantities:
             change = "exponent" if kind == "power of a term" else _ONE_TERM
             if is_one_change and fix is not None and re.fullmatch(change, fix.kind):
                 return verdict
-            if kind in ("term", "power of a term"):
+            if kind in ("term", "power of a term") and not is_mistake:
                 continue
             repair = Repair(kind, target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
+
+    def _is_between_quantities(
+        self, name: str, claim: Formula, named: Named, knowledge: Knowledge
+    ) -> bool:
+        """Tell whether a formula may be one between quantities, and not between numbers of units."""
+        if self.numbers is None or self.numbers.is_whole:
+            return False
+        numbers, self.numbers = self.numbers, None
+        plain = self._targets(named.quantity.formulas, claim, name, named, knowledge)
+        self.numbers = numbers
+        return any(agrees(each, claim) for each in plain)
+
+    def _slip_of_units(self, target: Formula, claim: Formula, mistakes: list[Formula]) -> str:
+        """Return that a formula between numbers of units has another constant than converts them."""
+        if self.numbers is None or not self.numbers.is_whole or _is_rounded(target, claim):
+            return ""
+        is_changed = is_multiple(target, claim) or any(
+            is_multiple(each, claim) and not is_multiple(each, target) for each in mistakes
+        )
+        return "change of units" if is_changed else ""
 
     def _mistakes(self, named: Named, claim: Formula, name: str, knowledge: Knowledge) -> list[Formula]:
         """Return a quantity's usual mistakes, of the net force where nothing says that it is the rod's.
@@ -663,6 +861,43 @@ class NamedQuantities:
 
         verdict = describe(self.document, chain, 0, decision)
         return add_fix(verdict, self.document, side, decision, known, proves)
+
+
+def _is_rounded(target: Formula, claim: Formula) -> bool:
+    """Tell whether a formula is another one but for the last digit of its number: 9549 P/n, 9550 P/n."""
+    factor = factor_of(target, claim)
+    numbers = [abs(p.value) for p in walk(claim) if isinstance(p, Number) and abs(p.value) >= _MANY]
+    if factor is None or len(numbers) != 1 or numbers[0].denominator != 1:
+        return False
+    digits = str(numbers[0]).rstrip("0")
+    unit = 10 ** (len(str(numbers[0])) - len(digits))
+    return len(digits) >= _FEWEST_DIGITS and abs(numbers[0] / factor - numbers[0]) <= Fraction(unit, 2)
+
+
+def _has_arm_of_another(name: str, own: frozenset[str]) -> bool:
+    """Tell whether a product has another's arm, and its own is in the formula: m_c r = (…) r_c.
+
+    >>> _has_arm_of_another("m_c r", frozenset({"m", "r_c"}))
+    True
+    """
+    parts = name.split()
+    if len(parts) != 2:
+        return False
+    indices = {index_of(part) for part in parts}
+    stems = {stem_of(part) for part in parts}
+    bare = [part for part in parts if not index_of(part)]
+    return bool(bare) and any(index_of(n) and index_of(n) in indices and stem_of(n) in stems for n in own)
+
+
+def _has_large_number(node: Formula) -> bool:
+    """Tell whether a formula holds between the numbers of stated units, which its own number converts."""
+    return any(isinstance(part, Number) and abs(part.value) >= _CONVERTING for part in walk(node))
+
+
+def _is_of_no_formula(part: Formula, own: frozenset[str]) -> bool:
+    """Tell whether no standard formula has such a part: an unknown function, the n of ∫ n π/30 dn."""
+    is_other_call = isinstance(part, Call) and part.function not in _FUNCTIONS
+    return is_other_call or bound_letter(part) in own
 
 
 def _may_be_power(letter: str) -> bool:

@@ -28,7 +28,8 @@ _LENGTHS = frozenset({"l", "L", "ell", "a", "x", "s", "b", "d"})
 _OF_AMPLITUDES = re.compile(r"amplitude|ausschl[aä]g|振幅|mode|swing|schwing", re.IGNORECASE)
 _OF_NODE = re.compile(r"\bnod(?:e|al)|knoten|節", re.IGNORECASE)
 _OF_SHAFT = re.compile(
-    r"torsion|twist|drehschwing|ねじり|扭|rotors?\b|dis[ck]s?\b|scheibe|円板|shaft", re.IGNORECASE
+    r"torsion|twist|drehschwing|ねじり|扭|rotors?\b|dis[ck]s?\b|scheibe|円板|shaft|zweimassen|two-mass",
+    re.IGNORECASE,
 )
 _OF_MORE = re.compile(
     r"\bthree|\bdrei|\b[3-9][- ](?:mass|dis[ck]|rotor)|三|[3３]つ|gear|getriebe|歯車|holzer|two[- ]node"
@@ -37,7 +38,11 @@ _OF_MORE = re.compile(
     re.IGNORECASE,
 )
 _OF_SIGNED = re.compile(
-    r"mode[- ]?(?:shape|vector)|eigen(?:vector|vektor|form|mode)|固有モード", re.IGNORECASE
+    r"mode[- ]?(?:shape|vector)|eigen(?:vector|vektor|form|mode)|固有モード|with\s+(?:their|its|the"
+    r"|due)\s+signs?"
+    r"|\bsigned|vorzeichen|con\s+su\s+signo|avec\s+(?:leurs?|son)\s+signes?|col\s+(?:loro|suo)\s+segno|符号(?:を含|つき|付き|も)"
+    r"|com\s+(?:seu\s+)?sinal|opposite",
+    re.IGNORECASE,
 )
 """Words for amplitudes that have a sign."""
 NEXT = 60
@@ -75,6 +80,8 @@ def decide_two_discs(chain: Chain, k: int, document: ReadNotes) -> Decision | No
     reason = ""
     if isclose(abs(ratio), FIRST / SECOND):
         reason = "of which the smaller belongs to the larger inertia"
+    elif isclose(ratio * ratio, SECOND / FIRST) or isclose(ratio * ratio, FIRST / SECOND):
+        reason = "of which the smaller belongs to the larger inertia, with no root"
     elif of_modes and isclose(ratio, -wanted) and _OF_SIGNED.search(words[-NEXT:]):
         reason = "which have opposite signs in the shape of a mode"
     return Decision(REFUTED, f"if {what}, {reason}") if reason else None

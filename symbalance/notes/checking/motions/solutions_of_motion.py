@@ -42,6 +42,7 @@ _INTEGRATED = re.compile(
 _TRIED = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:tr(?:y|ies|ied|ial)|assum\w*|ansatz|guess\w*|look\w*|sought|seek|approx\w*|form|suppos\w*|not"
     r"|small|weak\w*|light\w*|slight\w*|neglect\w*|klein\w*|schwach\w*|vernachl\w*"
+    r"|without|undamped|would|ohne|ungedämpft\w*|wäre\w*|sans|serait"
     r"|Lösungsansatz|gesucht\w*|angenommen|angenähert|Näherung\w*|nicht|kein\w*)(?![A-Za-zÀ-ÿ])|仮定|近似",
     re.IGNORECASE,
 )

@@ -39,6 +39,12 @@ from symbalance.text import lazy_patterns as re
 _ANGLE = re.compile(
     r"[\s$]*(?P<degrees>[0-9]{1,3}(?:\.[0-9]{1,4})?)\s?(?:°|\^\s?\\circ(?![A-Za-z])|\^\s?\{\s?\\circ\s?\})"
 )
+_GIVES = re.compile(
+    r"[\s$,]*(?:(?:which|this|that|it|das|daraus|ce\s+qui|il)\s+)?(?:gives?|yields?|follows(?:\s+that)?|means(?:\s+that)?|implies|we\s+get"
+    r"|ergibt|folgt|liefert|heißt|donne|vient|dà|da|segue|significa)[\s$,]*",
+    re.IGNORECASE,
+)
+"""Words alone between a range and what it comes to."""
 
 
 def decide_consequence(
@@ -54,6 +60,7 @@ def decide_consequence(
     Else the decision as it is.
     """
     follows = sections.is_consequence(chain) and sections.follows_at_once(chain)
+    follows = follows or _is_given_by_range(document, chain)
     is_converse = sections.is_converse(chain)
     # a rate follows from how a quantity is defined, not from one of its values
     is_rate = any(isinstance(part, Derivative) for side in chain.sides for part in walk(side.node))
@@ -72,6 +79,15 @@ def decide_consequence(
     elif is_lone and sign == "=" == first and decision.status != REFUTED:
         judged = _equation_after_equation(sections, before, chain, decision, knowledge)
     return judged
+
+
+def _is_given_by_range(document: ReadNotes, chain: Chain) -> bool:
+    """Tell whether a range stands right behind one that is said to give it: 3 - 2x < 7 gives x > -2."""
+    before = _before(document, chain)
+    if before is None or not before.letters >= chain.letters or len(chain.letters) != 1:
+        return False
+    is_range = all(r.sign in SATISFIED_BY for c in (before, chain) for r in c.relations)
+    return is_range and _GIVES.fullmatch(document.text, before.end, chain.start) is not None
 
 
 def _is_one_statement(chain: Chain) -> bool:
@@ -163,6 +179,9 @@ def _letters_that_are_positive(own: StatedRange, given: list[StatedRange], knowl
     above_zero = [StatedRange(Name(n), ">", Number(Fraction(0)), 0) for n in letters]
     if not letters or range_that_fails(own, [*given, *above_zero], knowledge) is not None:
         return ""
+    below = StatedRange(Name(letters[0]), "<", Number(Fraction(0)), 0)
+    if range_that_fails(below, [*given, *above_zero], knowledge) is None:
+        return ""  # of -4y ≥ 8 no positive y is left, of which anything would be true
     return ", ".join(each.text for each in above_zero)
 
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 from fractions import Fraction
 from math import prod
 
-from symbalance.document.formula import Formula, Name, Number, Product, Quotient, names, walk
+from symbalance.document.formula import Call, Formula, Name, Number, Product, Quotient, names, walk
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
@@ -91,6 +91,38 @@ def stands_for_gravity(chain: Chain, k: int, knowledge: Knowledge) -> bool:
     if "g" not in behind:
         return False
     return is_declared or any(_is_of_gravity(part) for node in nodes for part in walk(node))
+
+
+def has_unit_of_gravity(chain: Chain, text: str, knowledge: Knowledge) -> bool:
+    """Tell whether a bare g is in m/s²: by its value, by words, or beside a length below a root.
+
+    In √(g/δ) with a deflection δ = 2 mm it is nothing else. A g with another meaning is not meant.
+    """
+    sides = [side.node for side in chain.sides]
+    if not any("g" in names(node) for node in sides) or "g" in knowledge.meanings:
+        return False
+    definition = knowledge.definitions.get("g")
+    if definition is not None and not definition.solved:
+        node = definition.node
+        return isinstance(node, Number) and node.value in {
+            Fraction(size) for size in (*METRIC, "9.8", "9.807")
+        }
+    roots = [
+        part
+        for node in sides
+        for part in walk(node)
+        if isinstance(part, Call) and part.function == "sqrt"
+    ]
+    return _MEANING.search(text) is not None or any(
+        _has_length(root.argument, knowledge) for root in roots
+    )
+
+
+def _has_length(node: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether one letter beside g in a formula has a number, as δ of √(g/δ)."""
+    others = names(node) - {"g"}
+    values = (knowledge.definitions.get(name) for name in others)
+    return "g" in names(node) and len(others) == 1 and all(d is not None and d.numeric for d in values)
 
 
 def _is_in_feet(knowledge: Knowledge) -> bool:

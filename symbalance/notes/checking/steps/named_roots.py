@@ -29,18 +29,19 @@ FARTHEST = 400
 """Characters between an equation and its last root."""
 _NEAR = 160
 """Characters before and behind a formula that name it a solution."""
-_ROOTS = re.compile(
+ROOTS = re.compile(
     r"(?<![A-Za-z])(?:roots?|solutions?|eigenvalues?|zeros|Wurzeln?|Lösung(?:en)?|Nullstellen?|Eigenwerte?|racines?)(?![A-Za-z])|根|解",
     re.IGNORECASE,
 )
-_LEADING = re.compile(rf"(?:{_ROOTS.pattern})[ \t\n]*[$:`\\(]*$", re.IGNORECASE)
+"""Words for the roots of an equation."""
+_LEADING = re.compile(rf"(?:{ROOTS.pattern})[ \t\n]*[$:`\\(]*$", re.IGNORECASE)
 """One of those words right before a formula."""
 _ANOTHER = re.compile(
     r"(?<![A-Za-z])(?:the\s+(?:other|second)|die\s+(?:andere|zweite)|l['’]autre|another)(?![A-Za-z])|他の|もう一つ",
     re.IGNORECASE,
 )
 _ROOTS_OF = re.compile(
-    rf"(?:{_ROOTS.pattern})\s+(?:of|von|der|des|to|for|de|du)\s(?:[^\W\d_]|[ \n]){{0,40}}[$(\\\[\s]*$",
+    rf"(?:{ROOTS.pattern})\s+(?:of|von|der|des|to|for|de|du)\s(?:[^\W\d_]|[ \n]){{0,40}}[$(\\\[\s]*$",
     re.IGNORECASE,
 )
 """Words right before an equation that say of what the roots are."""
@@ -176,7 +177,7 @@ def _are_called_roots(text: str, equation: Chain, chain: Chain) -> bool:
     Both signs at once, x_{1,2} = 1 ± 3 right below it, are roots without a word.
     """
     start = chain.sides[0].span[0]
-    named = _ROOTS.search(text, equation.end, start)
+    named = ROOTS.search(text, equation.end, start)
     if named:
         return not _NONE.search(text, equation.end, named.start())
     first = equation.sides[0].span[0]

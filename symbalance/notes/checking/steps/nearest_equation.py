@@ -68,6 +68,8 @@ def by_number_before(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     last = max(above, key=lambda each: each.start, default=None)
     if last is None or last.lines[-1] != chain.lines[0]:
         return None
+    if any(r.sign not in "=≈" for r in (last.relations[-1], chain.relations[0])):
+        return None  # from -2x < 6 no x < -3 follows
     left, number = last.sides[0].node, last.sides[-1]
     is_of_it = not isinstance(left, Name) and head.name in names(left) and not names(number.node)
     if not is_of_it or not _has_one_solution(left, head) or number.span[0] in state.refuted:

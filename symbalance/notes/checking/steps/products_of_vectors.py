@@ -28,6 +28,7 @@ _OF_BOLD = re.compile(
     rf"|\([^()=]{{0,60}}{_BOLD}[^()=]{{0,60}}\)\s*\^\s*\{{?[2-9]"
 )
 CROSS = "a product × of vectors, which is not that of numbers"
+VANISHES = "a determinant that is to vanish"
 BOLD = "a product of letters that are set as matrices: declare what they are"
 
 
@@ -37,19 +38,16 @@ def decide_products_of_vectors(
     """Return that a relation with a product of vectors is not judged; None where there is none."""
     left, right = chain.sides[k], chain.sides[k + 1]
     is_zero = right.node == Number(Fraction(0))
+    if k and is_zero and names(left.node) and _is_determinant_of_entries(chain.sides[0].node, knowledge):
+        return Decision(CONDITION, VANISHES)  # det(…) = (k - m ω²)² - c² = 0
     if is_zero and _is_determinant_of_entries(left.node, knowledge):
         if decide_matrices(left.node, right.node, "=", knowledge).is_proved:
             return None
-        return Decision(CONDITION, "a determinant that is to vanish")
+        return Decision(CONDITION, VANISHES)
     if _is_open_determinant(left.node, knowledge):
-        if is_zero:
-            return Decision(CONDITION, "a determinant that is to vanish")
-        if (
-            isinstance(left.node, Apply)
-            and isinstance(left.node.arguments[0], Name)
-            and not names(right.node)
-        ):
-            return Decision(CONDITION, "the value of a determinant")
+        is_of_letter = isinstance(left.node, Apply) and isinstance(left.node.arguments[0], Name)
+        if is_zero or (is_of_letter and not names(right.node)):
+            return Decision(CONDITION, VANISHES if is_zero else "the value of a determinant")
     sources = [document.source(side.span) for side in (left, right)]
     is_cross = any(_CROSS.search(source) for source in sources)
     of_matrices = is_of_matrices(left.node, right.node, knowledge)

@@ -26,16 +26,16 @@ from symbalance.notes.reading.spellings.numerals import unit_in_words
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
-_LETTER = (
+LETTER_SIGN = (
     r"(?<![\w\\^{])\$?(?P<letter>\\?[^\W\d_]+(?:_(?:\{[A-Za-z0-9,]{1,8}\}|[A-Za-z0-9]))?"
     r""
     r"|[A-Za-z][₀-₉ₐ-ₜ]?)\$?"
 )
 _WORD = r"[A-Za-z1µ°][A-Za-zµ0-9/²³⁴⁻¹^·.°\\-]{0,20}"
-_UNIT = rf"(?P<unit>{_WORD}(?:\s{_WORD}){{0,3}})"
-_SAID = re.compile(
-    rf"{_LETTER}(?:\s+(?:is|are|being|be|always|again|measured|given|taken|expressed|counted|ist|wird|gemessen|eingesetzt))*"
-    rf",?\s*(?:(?:\(\s*)?\b(?:in|en)\s+|\[|\((?=[A-Za-z1]))(?:the\s+unit\s+)?\$?(?:\\(?:mathrm|text|unit|si)\s*\{{)?(?={_UNIT})",
+UNIT_SIGNS = rf"(?P<unit>{_WORD}(?:\s{_WORD}){{0,3}})"
+SAID = re.compile(
+    rf"{LETTER_SIGN}(?:\s+(?:is|are|being|be|always|again|measured|given|taken|expressed|counted|ist|wird|gemessen|eingesetzt))*"
+    rf",?\s*(?:(?:\(\s*)?\b(?:in|en)\s+|\[|\((?=[A-Za-z1]))(?:the\s+unit\s+)?\$?(?:\\(?:mathrm|text|unit|si)\s*\{{)?(?={UNIT_SIGNS})",
     re.IGNORECASE,
 )
 """P is in W; torque T in N m; speed n [rpm]; ω (in rad/s)."""
@@ -43,11 +43,11 @@ _ROW = re.compile(
     r"^\s*\|\s*\$?(?P<letter>\\?[^\W\d_]+(?:_(?:\{[A-Za-z0-9,]{1,8}\}|[A-Za-z0-9]))?)\$?\s*\|(?P<cells>[^\n]*)\|\s*$",
     re.MULTILINE,
 )
-_LISTED = re.compile(
-    rf"(?:^|[.;]\s)\s*(?:[-*]\s)?\$?(?P<letter>\\?[^\W\d_]+(?:_[A-Za-z0-9])?)\$?\s?[:–]\s[^.;:\n=|]{{3,40}}?,\s{_UNIT}(?=\s*[.;\n]|$)",
+LISTED = re.compile(
+    rf"(?:^|[.;]\s)\s*(?:[-*]\s)?\$?(?P<letter>\\?[^\W\d_]+(?:_[A-Za-z0-9])?)\$?\s?[:–]\s[^.;:\n=|]{{3,40}}?,\s{UNIT_SIGNS}(?=\s*[.;\n]|$)",
     re.MULTILINE,
 )
-_BEHIND = re.compile(rf"[\s$]{{0,3}}(?:\[|\(in\s|in\s){_UNIT}")
+_BEHIND = re.compile(rf"[\s$]{{0,3}}(?:\[|\(in\s|in\s){UNIT_SIGNS}")
 """Behind a formula, the unit of its letter: ω = 2πn [rad/s]."""
 _SIMPLE, _PURE_PARTS = (1.0, 2.0, 4.0, 8.0, 0.5, 0.25, 0.125), (-1, 0, 1, 2)
 _PURE = tuple(
@@ -88,7 +88,7 @@ class StatedUnits:
             self._units = {}
             for letter, text, place in self._statements():
                 name = self._written.get(letter.lstrip("\\").replace("{", "").replace("}", ""))
-                unit = None if name is None else _unit(text, place)
+                unit = None if name is None else stated_unit(text, place)
                 if name is not None and unit is not None:
                     self._units.setdefault(name, []).append(unit)
         return self._units
@@ -97,7 +97,7 @@ class StatedUnits:
         text = self.document.text
         formulas = sorted(side.span for chain in self.document.chains for side in chain.sides[1:])
         firsts = [first for first, _ in formulas]
-        for pattern in (_SAID, _LISTED):
+        for pattern in (SAID, LISTED):
             for match in pattern.finditer(text):
                 place = bisect_right(firsts, match.start("letter")) - 1
                 if place >= 0 and match.start("letter") < formulas[place][1]:
@@ -152,7 +152,7 @@ class StatedUnits:
 
     def _behind(self, chain: Chain) -> StatedUnit | None:
         match = _BEHIND.match(self.document.text, chain.end)
-        return None if match is None else _unit(match["unit"], match.start())
+        return None if match is None else stated_unit(match["unit"], match.start())
 
     def _start_of_paragraph(self, chain: Chain) -> int:
         """Return where the paragraph of a formula begins, be it the one above its display."""
@@ -178,7 +178,7 @@ class StatedUnits:
         return False
 
 
-def _unit(text: str, place: int) -> StatedUnit | None:
+def stated_unit(text: str, place: int) -> StatedUnit | None:
     """Return the longest unit that a text begins with; None for none."""
     words = _BRACED.sub(r"\1", text.replace("\\,", " ")).split()
     last = next((n for n, word in enumerate(words) if word.lower() in _NO_UNITS), len(words))

@@ -19,6 +19,41 @@ _ACCURACY = re.compile(
     re.IGNORECASE,
 )
 
+_NUMBER = (
+    r"(?:first|second|third|fourth|fifth|sixth|higher|lowest|next|leading|1st|2nd|3rd|[1-6]th|[1-9])"
+)
+_THAT_ORDER = (
+    rf"\s(?:the\s)?{_NUMBER}(?:\s(?:and|or)\s{_NUMBER})?[\s-]orders?(?![^\W\d_])"
+    r"(?!\s(?:force|couple|moment|torque|term|part|comp))"
+)
+_TO_ORDER = re.compile(rf"(?<![^\W\d_])to{_THAT_ORDER}", re.IGNORECASE)
+_AT_ORDER = re.compile(rf"(?<![^\W\d_])(?:to|at|in|au|al){_THAT_ORDER}", re.IGNORECASE)
+"""How far a series is taken, where nothing is added to that order: to the second order."""
+_ADDED = re.compile(
+    r"contribut|belong|\badd|amount|share|part\b|correspond|refer|due|relat|compar|reduc"
+    r"|give[sn]? rise|responds?"
+    r"|beitr|gehör",
+    re.IGNORECASE,
+)
+_LEFT_OUT = re.compile(
+    r"(?<![^\W\d_])(?:neglect(?:ing)?|ignoring?|dropping|omitting|discarding|disregarding"
+    r"|leaving out|without"
+    r"|(?:unter|bei)\svernachlässigung|vernachlässig(?:t|en)\s(?:man|wir)|ohne|en\snégligeant|sans|trascurando"
+    r"|despreciando)\s[^.,;:$]{0,40}?(?:orders?|ordnung(?:en)?|ord(?:re|ini|en)s?|órdenes)(?![^\W\d_])(?:[\s-]terms)?"
+    r"|(?:(?:when|if|since|wenn|da|falls)\s)?[^.,;:$]{0,30}?(?:orders?|ordnung(?:en)?)(?![^\W\d_])(?:[\s-](?:terms|glieder))?"
+    r"\s(?:(?:are|being|is|werden)\s)?(?:neglected|dropped|ignored|omitted|left out|discarded"
+    r"|vernachlässigt|weggelassen)"
+    r"|[^、。，,]{0,12}次[^、。，,]{0,8}を(?:無視|省略)",
+    re.IGNORECASE,
+)
+"""What is left out of a series: neglecting higher orders."""
+_BOTH = re.compile(
+    r"(?:terms\sof\s)?(?:the\s)?\b(?:first|1st)(?:-|\sorder)?\sand\s(?:the\s)?second[\s-]orders?(?:\sterms)?(?:\sonly)?"
+    r"|erster\sund\szweiter\sordnung|[一1]次(?:と|および|及び)[二2]次",
+    re.IGNORECASE,
+)
+"""Both orders that a piston's motion has, which is the motion."""
+
 
 _AID = re.compile(r"(?<![^\W\d_])(?:with|mit|avec|con|com|met|med)[\s$\\(\[`]*$", re.IGNORECASE)
 
@@ -41,5 +76,22 @@ def without_accuracies(words: str) -> str:
     'the acceleration ( ) gives the first-order force'
     >>> without_accuracies("die Kraft zweiter Ordnung")
     'die Kraft zweiter Ordnung'
+    >>> without_accuracies("neglecting higher orders, the acceleration is, to second order, a")
+    ' , the acceleration is,  , a'
+    >>> without_accuracies("the contribution to the second order is")
+    'the contribution to the second order is'
     """
-    return _ACCURACY.sub(" ", words)
+    words = _LEFT_OUT.sub(" ", _ACCURACY.sub(" ", words))
+    return words if _ADDED.search(words) else _TO_ORDER.sub(" ", words)
+
+
+def without_orders_of_series(words: str) -> str:
+    """Return words without those that say which orders of a motion a series has, and that is the motion.
+
+    >>> without_orders_of_series("the acceleration with terms of the first and second order only is")
+    'the acceleration with   is'
+    >>> without_orders_of_series("the acceleration of the second order is")
+    'the acceleration of the second order is'
+    """
+    words = _BOTH.sub(" ", without_accuracies(words))
+    return words if _ADDED.search(words) else _AT_ORDER.sub(" ", words)

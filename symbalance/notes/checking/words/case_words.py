@@ -54,9 +54,17 @@ _ALWAYS_BEHIND = re.compile(
     r"|[\s$)}\]]{0,4}(?:は|が)?(?:常に|つねに|いつも)(?:成り立つ|成立)",
     re.IGNORECASE | re.MULTILINE,
 )
+_ALWAYS = re.compile(
+    r"(?<![A-Za-zÀ-ÿ\\])(?<!not )(?<!nicht )(?<!pas )(?<!non )(?<!no )(?:always|at\s+all\s+times"
+    r"|in\s+(?:every|any|all|each)\s+cases?|without\s+exception|immer|stets|in\s+jedem\s+Fall|toujours|en\s+tout\s+cas"
+    r"|sempre|in\s+ogni\s+caso|siempre|en\s+todo\s+caso)(?![A-Za-zÀ-ÿ])|常に|つねに|いつも|必ず",
+    re.IGNORECASE,
+)
+"""Words that make an inequality a claim, of all that it can be said of."""
 _OF_ALL = (
     r"(?<![A-Za-zÀ-ÿ\\])(?:(?:for\s+|at\s+)?(?:all|every|any|arbitrary|each)|für\s+(?:alle|jede[nsrm]?"
-    r"|beliebige[nsrm]?)|beliebige[snrm]?)"
+    r"|beliebige[nsrm]?)|beliebige[snrm]?|pour\s+tou(?:te?s?)|quel(?:le)?s?\s+que\s+soi(?:en)?t|per\s+(?:ogni|tutt[ie])"
+    r"|para\s+tod[oa]s?)"
     r"(?:\s+other)?\s+(?:(?:real|integers?|whole|natural|complex|numbers?|reellen?|ganzen?|natürlichen?"
     r"|Zahlen?|values?"
     r"|angles?|crank\s+angles?|Werte?|Winkel|(?:Kurbel)?[Ww]inkel|of)\s+){0,3}"
@@ -166,6 +174,15 @@ def is_said_of_all_behind(text: str, end: int) -> bool:
     (True, False)
     """
     return _ALWAYS_BEHIND.match(text, end) is not None
+
+
+def is_said_always(before: str) -> bool:
+    """Tell whether the words of a clause before a relation say that it is so always.
+
+    >>> is_said_always("Here always $"), is_said_always("It is not always so that $")
+    (True, False)
+    """
+    return _ALWAYS.search(before) is not None
 
 
 def has_exception_behind(text: str, end: int) -> bool:

@@ -15,7 +15,7 @@ _EIGHT = re.compile(
 _CYLINDERS = 8
 _BANK_WORD = re.compile(r"banks?|バンク|bankwinkel|[VＶ]型", re.IGNORECASE)
 _CROSS = re.compile(
-    r"cross[\s-]?plane|クロスプレーン|Kreuz(?:kröpfung|welle)|vilebrequin\s+(?:en\s+croix|croisé)|cigüeñal\s+(?:en\s+cruz|cruzado)",
+    r"cross[\s-]?plane|クロスプレーン|Kreuz(?:kröpfung|kurbelwelle|welle)|crociata|albero\s+a\s+croce|vilebrequin\s+(?:en\s+croix|croisé)|cigüeñal\s+(?:en\s+cruz|cruzado)",
     re.IGNORECASE,
 )
 _FLAT = re.compile(
@@ -46,7 +46,7 @@ def eight_named(engines: EnginesInWords, first: int, last: int, around: str) -> 
     is_alone = all(
         _EIGHT.match(e.words)
         or (e.has_banks and _BANK_WORD.fullmatch(e.words))
-        or e.cylinders == _CYLINDERS
+        or e.cylinders in (_CYLINDERS, 1)  # the mass of one cylinder is no other engine
         for e in others
     )
     if named is None or not is_alone or _AS_FOURS.search(own):

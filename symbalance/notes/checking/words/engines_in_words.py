@@ -157,6 +157,8 @@ _INLINE = {
 """The usual cranks in line, in degrees; a twin's and a five's are told by more than the name."""
 _OPPOSED = {2: (0, 0), 4: (0, 0, 180, 180), 6: (0, 0, 240, 240, 120, 120)}
 """Boxers: where each crank is, counted from its own cylinder's axis; the banks take turns."""
+_OF_EACH = re.compile(r"(?:あたり|当たり|当り|ごと|毎|分の|の(?:往復|運動|質量|慣性))")
+"""Words behind "one cylinder" by which it is no engine: the mass that goes with each of several."""
 _FIVE, _FULL = 5, 360
 _FEWEST_DEGREES = 45
 
@@ -288,6 +290,8 @@ class EnginesInWords:
         if _BANKS.search(self.text, max(0, start - 12), end):
             return None
         count = _COUNTS[words.lower()]
+        if count == 1 and _OF_EACH.match(self.text, end):
+            return None
         lines = self.text.rfind("\n", 0, start) + 1, self.text.find("\n", end)
         line = self.text[lines[0] : lines[1] if lines[1] >= 0 else len(self.text)]
         is_boxer = _BOXER.search(self.text, max(0, start - 30), min(len(self.text), end + 12)) is not None

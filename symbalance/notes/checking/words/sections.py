@@ -999,6 +999,13 @@ class Sections:
         """Tell whether the words right before a relation call it an identity."""
         return _IDENTITY.search(self.sentence_leading_to(chain)) is not None
 
+    def is_said_always(self, chain: Chain) -> bool:
+        """Tell whether the words of a relation's clause before it say that it is so always."""
+        start = max(
+            case_words.clause_start(self.document.text, chain.start), self.end_before(chain.start) or 0
+        )
+        return case_words.is_said_always(self.document.text[start : chain.start])
+
     def is_said_to_be_constant(self, chain: Chain) -> bool:
         """Tell whether the words right before a relation say that its left side is constant."""
         return _CONSTANT.search(self._text_before(chain).rstrip()) is not None

@@ -487,7 +487,8 @@ def read_indexed(parser: Parser, token: Token) -> Formula | None:
     """Read J_n(z) and δ_{mn} where these are no declared letters, the parser behind the name."""
     base, _, script = token.value.partition("_")
     span = (token.start, token.end)
-    if base == "J" and script and parser.at("open", "(", "[", AT):
+    is_own = token.value in parser.page_letters  # J_2 (n_2/n_1)² of an inertia that lines above name
+    if base == "J" and script and not is_own and parser.at("open", "(", "[", AT):
         index = _index(parser, script, span)
         return index and Apply(
             "besselj", (index, parser.group()), span=(token.start, parser.tokens[parser.place - 1].end)

@@ -32,8 +32,9 @@ _EXPLAINED = (
     rf"{_E}\s*\$?\s*(?:(?:is|being|denotes|ist|als|der|the|as)\s+){{1,2}}"
     r"(?:offset|distance|spacing|pitch|abstand|versatz|zylinderabstand)"
     r"|(?:\bby|\bum|amount|Maß|量)\s+\$\s?e\s?\$"
+    r"|\$\s?e\s?\$\s+(?:away|off|apart|from|aus der|außerhalb|neben|à côté|fuera|fuori)\b"
 )
-"""Before the words that explain it, or behind "by": where e is the offset, moved by $e$."""
+"""Before the words that explain it, or behind "by": where e is the offset, moved by $e$, $e$ away."""
 _ARM = rf"(?<![A-Za-z\\])[mM](?:_(?:[A-Za-z0-9]|\{{\w{{1,4}}\}}))?{_GAP}{_E}(?!\s*\^)"
 """The arm of a mass: m_r e."""
 _ANGLE = (

@@ -1,7 +1,8 @@
 """Jupyter notebooks as text: the cells one below the other, each below a line that names it.
 
 Markdown cells and those of %%latex stand as they are, code in fences, to be passed over as program
-code; what a program printed is left out: nobody wrote it. A line of the text is so a line of a cell.
+code. Of what a program printed only the number of its relation signs is left: nobody wrote it. A line
+of the text is so a line of a cell.
 """
 
 from __future__ import annotations
@@ -10,11 +11,14 @@ import json
 from typing import Any
 
 from symbalance.errors import SymbalanceError
+from symbalance.notes.reading.signs import RELATION
 from symbalance.text import lazy_patterns as re
 
 SUFFIX = ".ipynb"
 MOST_CELLS = 10_000
 _HEAD = re.compile(r"<!-- cell ([0-9]{1,6}): [a-z]+ -->$")
+OUTPUT = re.compile(r"^<!-- output: (?P<count>[0-9]{1,6}) relation signs -->$", re.MULTILINE)
+"""Stands below a cell whose program printed relations."""
 _SHOWN = re.compile(r"\s*%%(?:latex|markdown|html)\b")
 """How a cell begins whose text Jupyter shows as it stands."""
 _FENCE = re.compile(r"`{3,}")
@@ -70,7 +74,26 @@ def _cell_text(cell: Any, number: int, name: str) -> str:
         return f"{head}\n\n{shown}"
     fence = max(["```", *_FENCE.findall(source)], key=len)
     fence += "`" if fence in source else ""
-    return f"{head}\n{fence}code\n{source}\n{fence}"
+    printed = len(RELATION.findall(_printed(cell)))
+    below = f"\n<!-- output: {printed} relation signs -->" if printed else ""
+    return f"{head}\n{fence}code\n{source}\n{fence}{below}"
+
+
+def _printed(cell: Any) -> str:
+    """Return what the program of a cell printed, as the reader of the notebook sees it."""
+    parts: list[Any] = []
+    outputs = cell.get("outputs")
+    for output in outputs if isinstance(outputs, list) else ():
+        if not isinstance(output, dict):
+            continue
+        data = output.get("data")
+        kinds = data if isinstance(data, dict) else output
+        shown = (
+            kinds.get(kind) for kind in ("text/latex", "text/markdown", "text/plain", "text", "latex")
+        )
+        parts.append(next((each for each in shown if each), ""))
+    lines = ("".join(map(str, part)) if isinstance(part, list) else str(part) for part in parts)
+    return "\n".join(lines)
 
 
 def cell_place(text: str, line: int) -> tuple[int, int] | None:

@@ -143,9 +143,11 @@ _SCRIPTS_OF_PROSE = (
     ),
 )
 """Slanted letters with scripts, *F*<sub>2</sub>, and scripts by tildes and carets, F~2~ and x^2^."""
+FRONT_MATTER = r"\A---[ \t]*\n(?:[^\n]*\n){0,40}?---[ \t]*$"
+"""The head of a page in YAML: its title, its author, how it is to be shown."""
 _MARKDOWN = (
     *_SCRIPTS_OF_PROSE,
-    _mark(r"\A---[ \t]*\n(?:[^\n]*\n){0,40}?---[ \t]*$", _blank),
+    _mark(FRONT_MATTER, _blank),
     _mark(r"(?:^|(?<=\s))==(?=[^\s=])([^\n]{1,300}?)(?<=[^\s=])==(?=[\s.,;:)]|$)", _first_group),
     _mark(r"(?<!\\)%%[^\n%]{1,400}%%", _blank),
     _mark(r"(?<=[$.)\]!?:])[ \t]+\^[A-Za-z][\w-]{1,40}[ \t]*$", _blank),

@@ -658,7 +658,8 @@ def _unit_behind(words: str, after: str) -> tuple[str, int]:
     ends = [m.start() for m in re.finditer(r" |\\,|~", words)]
     for end in [len(words), *reversed(ends)]:
         unit = _SPACE_IN_UNIT.sub(" ", words[:end]).replace("$", "")
-        if unit in ("°", "%", "\\%") or (unit == "in" and after == "." and end == len(words)):
+        is_inch = unit == "in" and end == len(words) and after == "."  # in, at a sentence's end
+        if unit in ("°", "%", "\\%") or is_inch:
             return unit, end
         if scale_of(unit) is not None and not _ENDS_IN_WORD.search(unit):
             return unit, end

@@ -21,7 +21,12 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     engine_rates  firings per second and per turn, frequencies of orders, speeds of balance shafts
     locomotives   wheels, tractive force and swaying couple of two cranks at right angles
     two_cylinders the forces of two cylinders on one pin, along and across the line between them
+    vibration_roles  letters of trains, rotors and pendulums
+    torsion       trains of three discs, gears by the speeds, a shaft's own inertia
+    oscillations  harmonic motion, decay of peaks, pendulums and suspensions, undamped absorbers
+    rotors        turning discs, critical speeds, what unbalances do to mounts and bearings
     round_bodies  half discs and rings, their masses and inertia, the stress of a turning rim
+    bearings      the rating life of rolling bearings
     plain_quotients  one letter over another: stress, density, stiffness
     counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
@@ -29,6 +34,7 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
 from collections.abc import Mapping
 
 from symbalance.notes.checking.meant.catalogue.balance import BALANCE
+from symbalance.notes.checking.meant.catalogue.bearings import BEARINGS
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
@@ -38,25 +44,29 @@ from symbalance.notes.checking.meant.catalogue.forced import FORCED
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.locomotives import LOCOMOTIVES
 from symbalance.notes.checking.meant.catalogue.machine_parts import PARTS
+from symbalance.notes.checking.meant.catalogue.oscillations import OSCILLATIONS
 from symbalance.notes.checking.meant.catalogue.plain_quotients import PLAIN_QUOTIENTS
 from symbalance.notes.checking.meant.catalogue.resonance import RESONANCE
 from symbalance.notes.checking.meant.catalogue.roles import OTHER_LENGTHS as OTHER_LENGTHS
 from symbalance.notes.checking.meant.catalogue.roles import ROLES as FIRST_ROLES
 from symbalance.notes.checking.meant.catalogue.roles import Quantity as Quantity
 from symbalance.notes.checking.meant.catalogue.roles import Role
+from symbalance.notes.checking.meant.catalogue.rotors import ROTORS
 from symbalance.notes.checking.meant.catalogue.round_bodies import ROUND_BODIES
 from symbalance.notes.checking.meant.catalogue.shaft_roles import SHAFT_ROLES
 from symbalance.notes.checking.meant.catalogue.strength import STRENGTH
+from symbalance.notes.checking.meant.catalogue.torsion import TORSION
 from symbalance.notes.checking.meant.catalogue.trains import TRAINS
 from symbalance.notes.checking.meant.catalogue.two_cylinders import TWO_CYLINDERS
 from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
+from symbalance.notes.checking.meant.catalogue.vibration_roles import VIBRATION_ROLES
 from symbalance.notes.checking.meant.catalogue.work import WORK
 
-ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES}
+ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES, **VIBRATION_ROLES}
 """What letters stand for, each role once."""
 QUANTITIES = (
     *STRENGTH, *PARTS, *FATIGUE, *VIBRATION, *FORCED, *RESONANCE, *TRAINS, *INERTIA, *CRANK_DRIVE,
     *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
-    *ROUND_BODIES, *PLAIN_QUOTIENTS,
+    *ROUND_BODIES, *TORSION, *OSCILLATIONS, *ROTORS, *BEARINGS, *PLAIN_QUOTIENTS,
 )  # fmt: skip
 """All quantities, each name once."""

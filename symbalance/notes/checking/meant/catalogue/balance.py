@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.formula import Number
+from symbalance.document.formula import Number, number
 from symbalance.notes.checking.meant.catalogue.crank_drive import COS_CRANK, SIN_CRANK
 from symbalance.notes.checking.meant.catalogue.roles import (
+    PI,
     Quantity,
     arm_of_weight,
     balance_mass,
@@ -25,6 +26,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     rod,
     root,
     rotating,
+    rotation,
     share,
     unbalance,
     unbalanced,
@@ -39,7 +41,16 @@ _BALANCER = words(
     r"|balance[rs]?)\s+(?:balance\s+)?(?:weights?|mass(?:es)?|shafts?)",
     r"gegenläufige[nr]?\s+(?:ausgleichs)?(?:massen|gewichte)", r"ausgleichswellen?",
     r"(?:逆回転|反対回転)(?:する)?(?:おもり|錘|質量)", r"バランサ(?:軸|質量)?",
+    r"arbres?\s+(?:contra-?rotatifs?|d.équilibrage)", r"alberi\s+(?:controrotanti|di\s+equilibra\w+)",
+    r"ejes?\s+(?:contrarrotantes?|de\s+equilibra\w+)",
 )  # fmt: skip
+_BALANCER_MASS = words(
+    _BALANCER.pattern,
+    r"(?:each|jede[rs]?|chacun\w*|ciascun\w*|cada\s+un[oa])[^.;=]{0,14}(?:carries|trägt|porte|porta|lleva)[^.;=]{0,30}",
+    r"mass\w*[^.;=]{0,24}\b(?:of\s+each|each|de\s+chacun\w*|di\s+ciascun\w*)[^.;=]{0,50}",
+)  # fmt: skip
+_EACH = words(r"\beach|jede|1つ|それぞれ|各|chacun|ciascun|cada\s+un")
+_OF_SINGLE = words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|monocylindre|monocilin")
 _IN_POUNDS = (
     r"\bpounds?\b|\blbs?\b|\\[dt]?frac\s?\{?\s?[WG](?:_\w)?\s?\}?\s?\{?\s?g\b|\b[WG](?:_\w)?\s?/\s?g\b"
 )
@@ -50,8 +61,14 @@ BALANCE: tuple[Quantity, ...] = (
         "centrifugal force", letters("F Z C P K"),
         words(r"centrifugal\s+forces?", r"centripetal\s+force", r"flieh-?kraft", r"zentrifugalkraft",
                r"zentripetalkraft", r"遠心力", r"向心力"),
-        (mass * radius * omega**2, mass * velocity**2 / radius, weight * radius * omega**2 / gravity),
-        slips=("power",), unless=words(_IN_POUNDS),
+        (mass * radius * omega**2, mass * velocity**2 / radius, weight * radius * omega**2 / gravity,
+         4 * PI**2 * rotation**2 * mass * radius, PI**2 * rotation**2 * mass * radius / 900),
+        slips=("power", "turn"),
+        mistakes=(PI**2 * rotation**2 * mass * radius,
+                  2 * PI * rotation * mass * radius, PI * rotation * mass * radius / 30,
+                  PI**2 * rotation**2 * mass * radius / 3600, PI**2 * rotation**2 * mass * radius / 1800,
+                  PI**2 * rotation**2 * mass * radius / 225, 2 * PI**2 * rotation**2 * mass * radius),
+        unless=words(_IN_POUNDS),
     ),
     Quantity(
         "centrifugal force of a weight", letters("F Z C P K"),
@@ -89,13 +106,33 @@ BALANCE: tuple[Quantity, ...] = (
               r"force\s+résiduelle\s+(?:suivant|selon|dans)\s+(?:l'axe"
               r"|la\s+direction)(?:\s+du\s+cylindre)?",
               r"fuerza\s+residual\s+(?:en|según)\s+(?:la\s+dirección|el\s+eje)(?:\s+del\s+cilindro)?",
+              r"(?:in|along)\s+(?:the\s+)?(?:dirección|direction|direzione|richtung)\s+of\s+(?:the\s+)?(?:shaft|axis|axe|asse|eje)"
+              r"\s+of\s+(?:the\s+)?cylinder[^.;=]{0,30}?(?:sin\s+equilibrar|non\s+équilibré\w*|non\s+equilibrat\w*|unbalanced|unausgeglichen)"
+              r"[^.;=]{0,12}(?:force|fuerza|forza)(?:\s+of\s+(?:the\s+)?first\s+order)?",
               r"(?:行程|シリンダ軸)方向の(?:残留力|不釣合い力|不つりあい力)"),
         ((1 - share) * mass * pin * omega**2 * COS_CRANK,), ("edit",),
         mistakes=(share * mass * pin * omega**2 * COS_CRANK, share * mass * pin * omega**2 * SIN_CRANK,
-                  (1 + share) * mass * pin * omega**2 * COS_CRANK),
+                  (1 + share) * mass * pin * omega**2 * COS_CRANK,
+                  (1 - share) ** 2 * mass * pin * omega**2 * COS_CRANK),
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
         r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
         r"|remains unbalanced is"), turns=True, stated=frozenset({"share"}),
+    ),
+    Quantity(
+        "force that half a balance leaves", letters("F R P K Q Z S"),
+        words(r"radius", r"magnitude", r"\bsize\b", r"\blength", r"\bbetrag", r"módulo",
+                r"\bmodulo", r"大きさ|半径"),
+        (mass * pin * omega**2 / 2,), ("bare factor", "part", "power"),
+        mistakes=(mass * pin * omega**2, mass * pin * omega**2 / 4,
+                mass * pin * omega**2 / root(number(2))),
+        only=both(
+            words(r"(?:counter-?weight|counterpoise|balanc|gegengewicht|ausgleich|equilibr|équilibr|contrepoids|釣り?合)"),
+            words(r"\bhalf\b|50\s?\\?%|hälfte|\bmoitié|\bmetà|\bmitad|半分"),
+            words(r"\bcircle|\bcircular|\bkreis\w*|\bcercle|circonferenza|circunferencia|\bconstant\b|konstant|円"),
+            words(r"residual|\bleft\b|remain|restkraft|resid\w+|résiduel\w*|bleib|残"),
+        ),
+        unless=words(r"\bV\b|V-?twin|\btwo\b|zwei|second|zweite|2次|radial|secondaire"
+                     r"|secondo ordine"), is_told_once=True,
     ),
     Quantity(
         "residual force across the line of stroke", letters("F R P Y Q"),
@@ -138,24 +175,22 @@ BALANCE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "mass of each of two counter-rotating weights at twice the crank's speed", letters("m M"),
-        _BALANCER,
+        _BALANCER_MASS,
         (mass * pin * ratio / (8 * arm_of_weight), mass * pin**2 / (8 * rod * arm_of_weight)),
         ("edit", "part"),
         mistakes=(mass * pin * ratio / (2 * arm_of_weight), mass * pin * ratio / (4 * arm_of_weight),
                   mass * pin * ratio / (16 * arm_of_weight), mass * pin * ratio / arm_of_weight),
-        only=both(words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒"),
-        words(r"each|jede|1つ|それぞれ|各"),
-                  words(r"twice|double|doppelt|2倍")),
+        only=both(_BALANCER, _OF_SINGLE, _EACH, words(r"twice|double|doppelt|2倍|2\s?ω|2\\omega")),
         unless=words(r"four|vier|4気筒|both|zusammen|together|合計"),
     ),
     Quantity(
-        "mass of each of two counter-rotating weights at the crank's speed", letters("m M"), _BALANCER,
+        "mass of each of two counter-rotating weights at the crank's speed", letters("m M"),
+                _BALANCER_MASS,
         (mass * pin / (2 * arm_of_weight),), ("power", "part"),
         others=(mass * pin / (4 * arm_of_weight),),
         mistakes=(mass * pin / arm_of_weight,),
-        only=both(words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒"),
-        words(r"each|jede|1つ|それぞれ|各")),
-        unless=words(r"twice|double|doppelt|2倍|four|vier|both|together|zusammen"
+        only=both(_BALANCER, _OF_SINGLE, _EACH),
+        unless=words(r"twice|double|doppelt|2倍|2\s?ω|2\\omega|four|vier|both|together|zusammen"
         r"|crank (?:itself )?carries|half"),
     ),
     Quantity(
@@ -189,11 +224,15 @@ BALANCE: tuple[Quantity, ...] = (
               r"sum(?:ming|\s+of)\s+(?:all\s+)?(?:the\s+)?direct\s+(?:primary\s+)?cranks",
               r"massenkraft\s+(?:1\.|erster)\s+ordnung",
               r"(?:一|1)次(?:の)?(?:慣性力の)?(?:合力|慣性力)"),
-        (cylinders * mass * pin * omega**2 / 2,), ("factor", "power"),
-        mistakes=(cylinders * mass * pin * omega**2,),
+        (cylinders * mass * pin * omega**2 / 2,), ("factor", "power", "part"),
+        mistakes=(cylinders * mass * pin * omega**2, cylinders * mass * pin * omega**2 / root(number(2)),
+                  (cylinders - 1) * mass * pin * omega**2 / 2, 2 * mass * pin * omega**2 / cylinders),
         only=words(r"radial(?:\s+engine)?|\bstar\b|sternmotor|星形"),
-        unless=words(r"articulated|slave|nebenpleuel|副連接棒|counterweight|gegengewicht|second|zweite"
-        r"|2次|rotating mass|\bbanks?\b|\brows?\b"), stated=frozenset({"cylinders"}),
+        unless=words(r"in phase|in step|would be|together|articulated|slave|nebenpleuel|副連接棒"
+                     r"|counterweight|gegengewicht|second|zweite"
+        r"|2次|rotating mass|\bbanks?\b|(?:two|double|twin)[- ]row|two rows|\bhalf\b|per\s+pair"
+        r"|\bfirst\s+\w+\s+cylinders"
+        ), stated=frozenset({"cylinders"}),
     ),
     Quantity(
         "resultant first-order force of a V-twin at 90°", letters("F P R Z"),

@@ -68,7 +68,12 @@ _SHAFT = words(
     r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit",
     r"軸[一1]本当たり",
         r"不釣り?合い量",
-    r"ejes?\s+contrarrotantes?", r"lanchester\w*",
+    r"ejes?\s+contrarrotantes?", r"lanchester\w*", r"ejes?\s+(?:de\s+)?equilibra\w+",
+    r"arbres?\s+(?:contrarotatifs?|contra-rotatifs?|d.équilibrage)", r"alberi\s+(?:controrotanti"
+                                                                     r"|di\s+equilibra\w+)",
+    r"contralberi|alberelli",
+    r"(?:each|jede[rs]?|chacun\w*|ciascun\w*|cada\s+un[oa])[^.;=]{0,14}(?:carries|trägt|porte|porta|lleva)[^.;=]{0,30}",
+    r"mass\w*[^.;=]{0,24}\b(?:of\s+each|each|de\s+chacun\w*|di\s+ciascun\w*)[^.;=]{0,50}",
 )  # fmt: skip
 _TWICE = words(
     r"twice|double|second[- ]order|secondary|2\s?ω|2\\omega|zweiter\s+ordnung|2\.\s+ordnung|二次|2次"
@@ -127,6 +132,8 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
          share * mass * pin, cylinders / 2 * mass * pin),
         ("edit",),
         mistakes=((share * rotating + reciprocating) * pin, (rotating - reciprocating / 2) * pin,
+                  (rotating + (1 - share) * reciprocating) * pin,
+                          share * (rotating + reciprocating) * pin,
                   (rotating + cylinders * reciprocating) * pin),
         unless=words(_NO_WHOLE_WEIGHT),
         stated=frozenset({"share", "cylinders"}),
@@ -146,7 +153,8 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         tuple(size / 2 for size in _SECOND), ("factor", "power", "part"),
         others=(mass * pin,),
         mistakes=tuple(size * n for size in _SECOND for n in (1, 2, 4, Number(Fraction(1, 4)))),
-        only=both(_FOUR, _TWICE), unless=words(_OTHER_SHAFTS), is_told_once=True,
+        only=both(_FOUR, _TWICE), unless=words(_OTHER_SHAFTS, r"alternator|generator|lichtmaschine"
+                                                              r"|dynamo"), is_told_once=True,
     ),
     Quantity(
         "moment of each of two shafts against the first order of a single cylinder", _MOMENT, _SHAFT,
@@ -159,7 +167,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     Quantity(
         "moment of each of two shafts against the second order of a single cylinder", _MOMENT, _SHAFT,
         tuple(size / 8 for size in _SECOND), ("factor", "power", "part"),
-        mistakes=tuple(size / n for size in _SECOND for n in (1, 2, 4, 16)),
+        mistakes=(*(size / n for size in _SECOND for n in (1, 2, 4, 16)), mass * pin / 8),
         only=both(_SINGLE, _TWICE), unless=words(_OTHER_SHAFTS, _FOUR.pattern), is_told_once=True,
         never=_FOUR,
     ),

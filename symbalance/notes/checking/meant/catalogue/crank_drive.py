@@ -8,6 +8,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     Quantity,
     any_force,
     area,
+    back_pressure,
     clearance,
     compression,
     crank,
@@ -15,6 +16,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     cylinders,
     diameter,
     letters,
+    mass,
     net_force,
     omega,
     pin,
@@ -48,10 +50,39 @@ _EXACT_SHAPES = (
 )
 """The torque of a piston force over F r, by the crank angle alone."""
 _OFFSET = r"offset|desax|geschränkt|オフセット"
+_FRICTION = (
+    r"(?<!ohne )(?<!without )(?<!\bno )(?<!neglecting )(?<!ignoring )(?<!neglect )(?<!ignore )"
+    r"(?<!neglecting the )(?<!vernachlässigung der )(?<!vernachlässigt man die )(?<!disregarding )"
+    r"(?:\bfriction(?!less|\s+(?:is |be |being |are )?(?:neglected|ignored|disregarded|left out))"
+    r"|\breibung(?!s?frei|slos|\s+(?:wird |sei |werde |ist )?vernachlässigt))"
+    r"|摩擦(?!力?[はを]?(?:無視|考え|考慮し|除|ない|な[いし]|抜き))"
+)
+"""Words for a friction that acts: it changes what a force gives at an angle."""
 _ENGINE = words(
     r"crank|piston|\brod\b|cylinder|engine|gas force|kurbel|kolben|pleuel|stange|gaskraft|motor"
     r"|ピストン|クランク|連接棒|コンロッド|機関|bielle|manivelle|biella|biela|manivela|motore?\b|moteur"
 )
+_GAS_FORCE = words(
+    r"(?:gas|combustion)\s+(?:force|load|thrust)",
+    r"force\s+(?:of|from|by)\s+the\s+gas(?:es)?",
+    r"gaskraft",
+    r"kolbenkraft",
+    r"ガス力",
+    r"ガス圧力?(?:による)?力",
+    r"force\s+des\s+gaz",
+    r"fuerza\s+de(?:l|\s+los)\s+gas(?:es)?",
+)
+_FACES = (PI * diameter**2 / 4, area)
+_GAS = (pressure * area, pressure * PI * diameter**2 / 4, piston_force, any_force)
+_MASS_FORCE = mass * pin * omega**2
+COS_DOUBLE = Call("cos", 2 * crank_angle)
+_WAVES = (COS_CRANK + ratio * COS_DOUBLE, COS_CRANK + COS_DOUBLE / slenderness)
+_SLENDER_ROOT = root(slenderness**2 - SIN_CRANK**2)
+_HEIGHT = pin * COS_CRANK + rod * COS_ROD
+_TILTS = (
+    TAN_ROD * _HEIGHT, pin * SIN_BOTH / COS_ROD, pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
+    *(pin * shape for shape in _EXACT_SHAPES),
+)  # fmt: skip
 
 
 CRANK_DRIVE: tuple[Quantity, ...] = (
@@ -91,13 +122,83 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         r"|rod side"),
     ),
     Quantity(
-        "gas force", letters("F P K"),
-        words(r"(?:gas|combustion)\s+(?:force|load|thrust)", r"force\s+(?:of|from|by)\s+the\s+gas(?:es)?",
-        r"gaskraft", r"kolbenkraft", r"ガス力", r"ガス圧力?(?:による)?力", r"force\s+des\s+gaz",
-        r"fuerza\s+de(?:l|\s+los)\s+gas(?:es)?"),
+        "gas force", letters("F P K"), _GAS_FORCE,
         (PI * diameter**2 * pressure / 4, PI * radius**2 * pressure, area * pressure),
         unless=words(r"side|seiten|inertia|massenkraft|difference|differenz|under ?side|crankcase"),
         context=words(r"\bgas(?:es)?\b", r"gasdruck", r"\bgaz\b", "ガス"), indices=letters("g G gas Gas"),
+    ),
+    Quantity(
+        "gas force against the pressure below the piston", letters("F P K"), _GAS_FORCE,
+        tuple(face * (pressure - back_pressure) for face in _FACES),
+        ("edit", "factor", "power", "part"),
+        mistakes=(
+            *(face * (back_pressure - pressure) for face in _FACES),
+            *(face * (pressure + back_pressure) for face in _FACES),
+            PI * diameter * (pressure - back_pressure) / 4,
+        ),
+        unless=words(r"inertia|massenkraft|\brings?\b|under ?side|piston rod|kolbenstange|tandem"),
+    ),
+    Quantity(
+        "force of gas and mass on the piston", letters("F P R K Q"),
+        words(r"(?:resultant|resulting|total|net|effective)\s+(?:piston\s+)?(?:force|effort|load|thrust)"
+              r"(?:\s+on\s+the\s+piston)?", r"force\s+(?:resultant|total)e?",
+              r"piston\s+effort", r"(?:resultierende|gesamte?"
+              r"|wirksame)[nrs]?\s*(?:kolben)?kraft", r"合力"),
+        (), ("edit",), approximate=tuple(gas - _MASS_FORCE * wave for gas in _GAS for wave in _WAVES),
+        mistakes=(
+            *(gas + _MASS_FORCE * wave for gas in _GAS for wave in _WAVES),
+            *(gas - _MASS_FORCE * (SIN_CRANK + ratio * DOUBLE) for gas in _GAS),
+            *(gas - _MASS_FORCE * (SIN_CRANK + DOUBLE / slenderness) for gas in _GAS),
+            pressure / area - _MASS_FORCE * _WAVES[0],
+        ),
+        unless=words(_OFFSET, r"crank[- ]end|double[- ]acting|under ?side|below the piston|suction"
+        r"|vacuum|doppeltwirk|複動|opposed|gegenkolben|\bweight\b|gewicht|scotch|outwards?\s+positive"
+        r"|positive\s+outwards?|away from the crank"),
+        turns=True, only=_ENGINE, is_told_once=True,
+    ),
+    Quantity(
+        "volume of a cylinder at a crank angle", letters("V"),
+        words(r"volume\s+of\s+the\s+(?:cylinder|(?:combustion|working)\s+(?:chamber|space))",
+              r"(?:instantaneous|momentary)\s+(?:cylinder\s+)?volume", r"cylinder\s+volume",
+              r"volume\s+(?:above|over)\s+the\s+piston", r"zylinder(?:raum)?volumen",
+              r"(?:momentane|augenblickliche)[sn]?\s+\w*volumen", r"(?:arbeits|brenn)raumvolumen",
+              r"(?:シリンダ(?:ー)?内?|筒内)(?:の)?容積", r"volume\s+instantan(?:é|eo)"),
+        (
+            clearance * (1 + (compression - 1) / 2 * (slenderness + 1 - COS_CRANK - _SLENDER_ROOT)),
+            clearance * (1 + (compression - 1) / 2 * (1 - COS_CRANK + (1 - _BELOW) / ratio)),
+            *(clearance + face * (pin + rod - pin * COS_CRANK - root(rod**2 - pin**2 * SIN_CRANK**2))
+              for face in _FACES),
+        ),
+        ("edit",),
+        approximate=(
+            clearance * (1 + (compression - 1) / 2 * (1 - COS_CRANK + ratio * SIN_CRANK**2 / 2)),
+        ),
+        mistakes=(
+            clearance * (1 + compression / 2 * (slenderness + 1 - COS_CRANK - _SLENDER_ROOT)),
+            clearance * (1 + (compression - 1) / 2 * (slenderness - 1 + COS_CRANK - _SLENDER_ROOT)),
+            (compression - 1) / 2 * clearance * (slenderness + 1 - COS_CRANK - _SLENDER_ROOT),
+        ),
+        unless=words(_OFFSET, r"opposed|gegenkolben|wankel|rotary"), turns=True, only=_ENGINE,
+        is_told_once=True,
+    ),
+    Quantity(
+        "couple of the side force on the frame", letters("M T K C Q"),
+        words(r"couple\s+(?:that|which)\s+tends\s+to\s+(?:roll|tilt|overturn|rock|turn|twist)",
+              r"(?:rolling|tilting|overturning|reaction|roll)\s+(?:couple|moment|torque)",
+              r"kippmoment", r"rückdrehmoment", r"reaktionsmoment",
+              r"(?:転倒|転覆|横揺れ|ローリング)モーメント|反作用(?:トルク|モーメント)"),
+        tuple(force * node for force in (any_force, piston_force) for node in _TILTS), ("edit",),
+        mistakes=tuple(
+            force * node
+            for force in (any_force, piston_force)
+            for node in (
+                TAN_ROD * (pin * SIN_CRANK + rod * SIN_ROD), SIN_ROD * _HEIGHT,
+                TAN_ROD * (rod * COS_ROD - pin * COS_CRANK), pin * COS_BOTH / COS_ROD,
+                rod * SIN_BOTH / COS_ROD, pin * SIN_BOTH, COS_ROD * _HEIGHT,
+            )
+        ),
+        unless=words(_OFFSET, r"gyro|kreisel|unbalanced couple|rocking"), turns=True, only=_ENGINE,
+        is_told_once=True,
     ),
     Quantity(
         "circumferential speed", letters("v u V"),
@@ -110,12 +211,14 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "firing interval of a four-stroke engine",
-        letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+        letters("alpha delta phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
+        words(r"firing\s+(?:interval|spacing)",
+        r"(?:intervallo|intervalo|intervalle)\s+(?:angol|angul)\w+[^.;=]{0,50}(?:accension|scopp|encendid|explosion|allumage)\w*(?:\s+successiv[ei])?",
+        r"between\s+(?:(?:two|successive"
             r"|consecutive)\s+)?(?:ignitions|firings)",
         r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
-        (4 * PI / cylinders,), others=(),
+        (4 * PI / cylinders,), others=(), mistakes=(4 * PI / (cylinders - 1), 4 * PI * cylinders),
         unless=words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|uneven|ungleich"
         r"|irregular|不等"
                       r"|odd|per\s+bank|in\s+one\s+bank|je bank|crank\s?pins?|throws?|kröpf"
@@ -125,12 +228,14 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "firing interval of a two-stroke engine",
-        letters("alpha phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
-        words(r"firing\s+(?:interval|spacing)", r"between\s+(?:(?:two|successive"
+        letters("alpha delta phi varphi theta psi Delta_phi Delta_varphi beta Delta_theta"),
+        words(r"firing\s+(?:interval|spacing)",
+        r"(?:intervallo|intervalo|intervalle)\s+(?:angol|angul)\w+[^.;=]{0,50}(?:accension|scopp|encendid|explosion|allumage)\w*(?:\s+successiv[ei])?",
+        r"between\s+(?:(?:two|successive"
             r"|consecutive)\s+)?(?:ignitions|firings)",
         r"zündabstand", r"zündfolgeabstand",
         r"(?:点火|爆発|着火)間隔"),
-        (2 * PI / cylinders,),
+        (2 * PI / cylinders,), mistakes=(2 * PI / (cylinders - 1), 2 * PI * cylinders),
         unless=words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル"
         r"|四サイクル|uneven|ungleich"
                       r"|irregular|不等|odd|per\s+bank|je bank|double[- ]acting|doppeltwirk|複動"),
@@ -158,13 +263,16 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
                   rod_force * COS_ROD, piston_force * ratio * COS_CRANK),
         others=(any_force * SIN_ROD,),
         approximate=(piston_force * ratio * SIN_CRANK, any_force * ratio * SIN_CRANK),
-        unless=words(_OFFSET, r"crosshead guide angle|bearing|friction|reibung|摩擦"),
+        unless=words(_OFFSET, r"crosshead guide angle|bearing|reibungsbeiwert", _FRICTION),
         turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
         "force in the connecting rod", letters("F S Q P R"),
         words(r"(?:connecting[- ]?)?rod\s+(?:force|thrust|load)",
               r"(?:force|thrust)\s+(?:in|of|along|on)\s+the\s+(?:connecting[- ])?rod",
+              r"(?:force|thrust|load)\s+(?:(?:which|that)\s+(?:is|the\s+rod)\s+)?"
+              r"(?:transmit(?:s|ted)|carrie[sd]|borne|transmise?|transmitid[oa]|trasmess[oa])\s+"
+              r"(?:by|through|along|by\s+means\s+of)\s+the\s+(?:connecting[- ])?rod",
               r"(?:pleuel|stangen|pleuelstangen|schubstangen)-?(?:stangen)?kraft",
               r"(?:effort|force)\s+(?:dans|de)\s+la\s+bielle", r"fuerza\s+(?:en|de)\s+la\s+biela",
               r"(?:連接棒|コンロッド)(?:の|に(?:働|作用)く)?(?:軸)?力"),
@@ -185,6 +293,12 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "tangential force at the crank pin", letters("F T P Q E K"),
         words(r"(?:tangential|turning|crank)\s+(?:force|effort)(?:\s+(?:at|on)\s+the\s+crank[- ]?pin)?",
               r"tangential(?:ly)?\s+(?:at|on)\s+the\s+(?:crank[- ]?)?pin",
+              r"(?:component|part)\s+(?:(?:at\s+right\s+angles|perpendicular|normal|square)\s+to"
+              r"|across)\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin|shaft|case))",
+              r"(?:komponente|anteil|kraft)\s+(?:senkrecht|rechtwinklig|quer)\s+zu[rm]?\s+"
+              r"kurbel(?:arm|wange|kröpfung|radius)?(?![a-zäöü])",
+              r"(?:接線|円周|回転)方向の?(?:分力|成分|力)", r"クランク(?:腕|アーム)?に(?:垂直"
+              r"|直角)な?(?:方向の?)?(?:分力|成分|力)",
               r"(?:tangential|dreh|umfangs)kraft", r"(?:接線|回転)力"),
         (piston_force * SIN_BOTH / COS_ROD, any_force * SIN_BOTH / COS_ROD, rod_force * SIN_BOTH,
          any_force * (SIN_CRANK + COS_CRANK * TAN_ROD),
@@ -196,7 +310,9 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
             for force in (any_force, piston_force)
             for second in (ratio * DOUBLE / 2, DOUBLE / (2 * slenderness))
         ),
-        mistakes=(piston_force * COS_BOTH / COS_ROD, piston_force * SIN_BOTH, net_force * SIN_BOTH),
+        mistakes=(piston_force * COS_BOTH / COS_ROD, piston_force * SIN_BOTH, net_force * SIN_BOTH,
+                  piston_force * (COS_CRANK + SIN_CRANK * TAN_ROD),
+                  any_force * (COS_CRANK + SIN_CRANK * TAN_ROD)),
         others=(any_force * SIN_BOTH, any_force * COS_BOTH),
         unless=words(_OFFSET, r"\bgears?\b|\bbelt|inertia of"), turns=True, only=_ENGINE,
         is_told_once=True,
@@ -205,7 +321,11 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         "radial force at the crank pin", letters("F R P Z Q"),
         words(r"radial\s+(?:crank\s+)?(?:force|component|thrust)(?:\s+(?:at"
         r"|on)\s+the\s+crank[- ]?pin)?", r"(?:radial|kurbelarm)kraft",
-              r"(?:半径|法線)(?:方向の?)?力"),
+              r"(?:component|part)\s+along\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin"
+              r"|shaft|case))",
+              r"(?:komponente|anteil|kraft)\s+(?:längs|entlang|in\s+richtung)\s+de[rs]\s+"
+              r"kurbel(?:arms?|wange|kröpfung|radius)?(?![a-zäöü])",
+              r"(?:半径|法線)(?:方向の?)?(?:力|分力|成分)"),
         (piston_force * COS_BOTH / COS_ROD, any_force * COS_BOTH / COS_ROD, rod_force * COS_BOTH,
          any_force * (COS_CRANK - SIN_CRANK * TAN_ROD),
          piston_force * (COS_CRANK - SIN_CRANK * TAN_ROD), -piston_force * COS_BOTH / COS_ROD,
@@ -272,7 +392,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         words(r"clearance\s+volume", r"(?:kompressions|verdichtungs)(?:raum|volumen)",
         r"(?:すきま|隙間|燃焼室)容積"),
         (swept / (compression - 1),), ("edit",),
-        mistakes=(swept / compression, swept / (compression + 1), swept * (compression - 1)),
+        mistakes=(swept / compression, swept / (compression + 1), swept * (compression - 1),
+                  swept * compression, (compression - 1) / swept, swept / (1 - compression)),
         others=(total_volume / compression,), unless=words(r"total|gesamt|全容積|whole|bottom"),
     ),
     Quantity(

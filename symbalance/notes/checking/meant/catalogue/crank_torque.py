@@ -12,6 +12,8 @@ from symbalance.notes.checking.meant.catalogue.crank_drive import (
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
+    arm_of_weight,
+    balance_mass,
     central,
     centrifugal,
     crank_angle,
@@ -66,6 +68,7 @@ _ENGINE = words(
 )
 _BELOW = root(1 - ratio**2 * SIN_CRANK**2)
 _STROKE = mass * pin**2 * omega**2
+_PULL = mass * pin * omega**2
 _TRIPLE, _FOURFOLD = Call("sin", 3 * crank_angle), Call("sin", 4 * crank_angle)
 
 
@@ -84,7 +87,30 @@ _INERTIA_TORQUE = (
     _STROKE * _waves(4), _STROKE * _waves(3), -_STROKE * DOUBLE / 2,
     -_STROKE * (COS_CRANK + ratio * Call("cos", 2 * crank_angle)) * (SIN_CRANK + ratio * DOUBLE / 2),
 )  # fmt: skip
+
+
+def _wrong_shares(own: Formula, other: Formula) -> tuple[Formula, ...]:
+    """Return what is mistaken for the part of a rod's mass that goes with one of two distances."""
+    return (
+        mass * rod / own, mass * own**2 / rod**2, mass * (rod - other) / other,
+        mass * rod / (rod - other),
+        mass * (rod - other) ** 2 / rod**2, mass * other / (rod - other), mass * own / (rod - own),
+    )  # fmt: skip
+
+
 _ROD_PART = r"(?:connecting[- ])?rod|pleuel|連接棒|コンロッド"
+_AT_SMALL = (
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:small[- ]end"
+    r"|piston(?:[- ]pin)?|gudgeon[- ]pin"
+    r"|wrist[- ]pin)"
+    r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:kleinen\s+\w*(?:auge|kopf)|kolben(?:bolzen)?)"
+)
+_AT_BIG = (
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:(?:big"
+    r"|large)[- ]end|crank[- ]?pin)"
+    r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen)"
+)
+"""Words for what of a rod's mass is put at one of its ends."""
 _SHARES = r"share|part|portion|mass|anteil|masse|質量|分"
 
 CRANK_TORQUE: tuple[Quantity, ...] = (
@@ -94,8 +120,14 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"(?:resultant|total|bearing|pin|crank[- ]?pin)\s+(?:load|force)",
               r"(?:hub|kurbel)?zapfen(?:kraft|belastung|last)", r"クランクピン(?:に働く)?(?:力|荷重)"),
         (root(tangential**2 + (radial_part - centrifugal) ** 2), root(tangential**2 + radial_part**2),
-         root(tangential**2 + (centrifugal - radial_part) ** 2)),
-        ("edit", "root", "part"), mistakes=(root(tangential**2 + (radial_part + centrifugal) ** 2),),
+         root(tangential**2 + (centrifugal - radial_part) ** 2),
+         root(tangential**2 + (radial_part - _PULL) ** 2),
+         root(tangential**2 + (_PULL - radial_part) ** 2)),
+        ("edit", "root", "part"),
+        mistakes=(root(tangential**2 + (radial_part + centrifugal) ** 2),
+                  root(radial_part**2 + (tangential - centrifugal) ** 2),
+                  root(tangential**2 + (radial_part + _PULL) ** 2),
+                  root(radial_part**2 + (tangential - _PULL) ** 2), tangential + radial_part - _PULL),
         only=words(r"inwards?|(?:towards?|to) the (?:shaft|cent(?:re|er)|axis|crank ?shaft)"
                    r"|zur? (?:wellen|kurbel)?(?:mitte|achse)|zum (?:wellen)?mittelpunkt|中心(?:に|へ)向"),
         unless=words(r"outwards? (?:is )?positive|positive outwards?|nach außen positiv"),
@@ -171,12 +203,14 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"|part)\s+(?:counted\s+as\s+)?(?:reciprocating|oscillating)",
               r"oszillierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse"
               r"|teil)(?:\s+(?:des|der)\s+\w+)?",
-              r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)"),
+              r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)", _AT_SMALL,
+              r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:kolbenbolzen|kleinen\s+\w*(?:auge|kopf))"),
         (mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small)),
-        ("edit", "part"),
+        ("edit", "power", "part"),
         mistakes=(mass * to_small / rod, mass * (rod - to_big) / rod,
                   mass * to_small / (to_big + to_small),
-                  mass * to_big / to_small, mass * to_small / to_big),
+                  mass * to_big / to_small, mass * to_small / to_big,
+                  *_wrong_shares(to_big, to_small)),
         context=words(_ROD_PART),
             indices=letters("small osc osz rec recip o hin kl klein se S Kolben pist"),
     ),
@@ -187,12 +221,14 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"|revolving)",
               r"rotierende[rsn]?\s+(?:pleuel)?(?:stangen)?(?:massen)?(?:anteil|masse|teil)(?:\s+(?:des"
               r"|der)\s+\w+)?",
-              r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)"),
+              r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)", _AT_BIG,
+              r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:(?:kurbel|hub)zapfen|großen\s+\w*(?:auge|kopf))"),
         (mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small)),
-        ("edit", "part"),
+        ("edit", "power", "part"),
         mistakes=(mass * to_big / rod, mass * (rod - to_small) / rod,
                   mass * to_big / (to_big + to_small),
-                  mass * to_big / to_small, mass * to_small / to_big),
+                  mass * to_big / to_small, mass * to_small / to_big,
+                  *_wrong_shares(to_small, to_big)),
         context=words(_ROD_PART), indices=letters("big rot r gr gross groß be crank Kurbel"),
     ),
     Quantity(
@@ -232,6 +268,34 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         (mass * (gyration**2 - to_big * to_small), mass * (to_big * to_small - gyration**2),
          central - mass * to_big * to_small, mass * to_big * to_small - central),
         ("edit", "minus", "part"),
+    ),
+    Quantity(
+        "excess of inertia of a rod of two masses", letters("Delta_J J I Delta_I Theta"),
+        words(r"moments?\s+of\s+inertia[^.;=]{0,50}?\s(?:too\s+(?:large|great|big|high)"
+              r"|trop\s+grande?|troppo\s+grande|demasiado\s+grande)\s+(?:by|of|de|di|en)?",
+              r"(?:massen)?trägheitsmoment[^.;=]{0,50}?\szu\s+groß",
+              r"excess\s+(?:of\s+)?(?:moment\s+of\s+)?inertia",
+              r"慣性モーメント[^。]{0,20}(?:過大|大きすぎ|大きく見積)"),
+        (mass * (near * far - gyration**2), mass * (to_big * to_small - gyration**2),
+         mass * near * far - central, mass * to_big * to_small - central),
+        ("edit", "factor"),
+        mistakes=(mass * (gyration**2 - near * far), mass * (gyration**2 - to_big * to_small),
+                  central - mass * near * far, central - mass * to_big * to_small,
+                  mass * (near**2 + far**2 - gyration**2), mass * (near + far - gyration)),
+        only=words(_ROD_PART, r"bielle|biella|biela"), is_told_once=True,
+    ),
+    Quantity(
+        "rotating mass of a throw and its rod", letters("m M"),
+        words(r"(?:rotating|revolving)\s+mass", r"rotierende(?:n)?\s+masse", r"umlaufende(?:n)?\s+masse",
+              r"回転(?:部分の)?質量"),
+        (balance_mass * arm_of_weight / pin + mass * (1 - to_big / rod),
+         balance_mass * arm_of_weight / pin + mass * to_small / rod),
+        ("edit", "part"),
+        mistakes=(balance_mass * pin / arm_of_weight + mass * (1 - to_big / rod),
+                  balance_mass * arm_of_weight / pin + mass * to_big / rod,
+                  balance_mass * arm_of_weight**2 / pin**2 + mass * (1 - to_big / rod),
+                  balance_mass * arm_of_weight + mass * (1 - to_big / rod)),
+        together=(("balance_mass", "arm_of_weight"), ("mass", "rod")),
     ),
     Quantity(
         "kinetic energy of a crank and its piston", letters("E T K W U"),

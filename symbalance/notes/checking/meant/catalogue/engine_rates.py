@@ -5,11 +5,14 @@ from __future__ import annotations
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
+    crank_angle,
     cylinders,
     letters,
     omega,
+    rotation,
     stroke,
     turn_rate,
+    turned_angle,
     words,
 )
 
@@ -79,6 +82,24 @@ _FOURS = words(
     r"|4|vier)"
     r"|\ba four\b|\bthe four\b|\bR4\b|\bI4\b|4気筒|四気筒|second|zweite"
 )
+_ANGLES, _RATES = (turned_angle, crank_angle), (turn_rate, rotation)
+_ANGULAR_SPEED = words(
+    r"angular\s+(?:speed|velocity)", r"winkelgeschwindigkeit", r"角速度",
+    r"(?:circular|angular)\s+frequency", r"kreisfrequenz", r"角(?:振動|周波)数",
+    r"(?:speed|velocity)\s+in\s+(?:radians?|rad)(?:\s+per\s+|\s?/\s?)s(?:econd)?",
+)  # fmt: skip
+_ROTATIONAL_SPEED = words(
+    r"rotational\s+(?:speed|frequency)", r"speed\s+of\s+rotation", r"(?:engine|shaft|crankshaft)\s+speed",
+    r"revolutions\s+per\s+(?:minute|second)", r"number\s+of\s+revolutions", r"speed\s+in\s+(?:rpm|rev)",
+    r"(?:motor|wellen)?drehzahl", r"(?:毎[分秒])?回転(?:速度|数)",
+)  # fmt: skip
+_OTHER_SPEED = words(
+    r"cam\s?shaft|nockenwelle|カム|counter-?shaft|balanc|ausgleich|バランス|\bgear|getriebe|歯車|belt|riemen"
+    r"|half|\bhalbe?[nrs]?\b|twice|double|doppelt|半分|2倍|order|ordnung|[一二三四0-9]次|harmonic|cycles?\b|arbeitsspiel"
+    r"|サイクル|firing|ignition|zünd|natural|eigen|固有|slip|ratio|critical|kritisch|危険|relative|backward"
+    r"|excit|erreg|torsion|planet"
+)
+"""Words by which a speed is another shaft's, a multiple, or one of cycles."""
 
 ENGINE_RATES: tuple[Quantity, ...] = (
     Quantity(
@@ -124,6 +145,51 @@ ENGINE_RATES: tuple[Quantity, ...] = (
         unless=words(r"single|one[- ]cylinder|einzyl|単気筒|two[- ]cyl|twin|three|triple|drei|3気筒|six"
         r"|V-?6|first|primary"
                      r"|erste|一次|five|fünf|V-?[0-9]|cam|nocken"),
+    ),
+    Quantity(
+        "angular speed by the speed of rotation", letters("omega Omega"), _ANGULAR_SPEED,
+        tuple(node for n in _RATES for node in (2 * PI * n, PI * n / 30)), (), mistakes=tuple(
+            node
+            for n in _RATES
+            for node in (
+                PI * n, 4 * PI * n, n / (2 * PI), PI * n / 60, PI * n / 15, 60 / (2 * PI * n),
+                60 * n / (2 * PI), 30 * n / PI, n / 60, 2 * PI / n, 1 / (2 * PI * n), 120 * PI * n,
+            )
+        ),
+        unless=_OTHER_SPEED, is_by_unit=True,
+    ),
+    Quantity(
+        "speed of rotation by the angular speed", letters("n N f"), _ROTATIONAL_SPEED,
+        (omega / (2 * PI), 30 * omega / PI), (), mistakes=(
+            omega / PI, 2 * PI * omega, omega / (4 * PI), PI * omega / 30, 60 * omega / PI,
+            15 * omega / PI, PI * omega / 60, 2 * PI / omega, 60 * omega, omega / 60,
+            2 * PI / (60 * omega),
+            60 * PI * omega, 30 * omega,
+        ),
+        unless=_OTHER_SPEED, is_by_unit=True,
+    ),
+    Quantity(
+        "time of a turn of the crank", letters("t Delta_t T tau"),
+        words(r"\b(?:time|duration|interval\s+of\s+time)\b", r"\bdauer\b", r"zeit(?:dauer|spanne)?\b",
+              r"時間", r"durée", r"\btemps\b", r"\btiempo", r"\btempo\b", r"durata", r"duración"),
+        tuple(
+            node
+            for a in _ANGLES
+            for node in (a / omega, *(a / (k * n) for n in _RATES for k in (6, 360)))
+        ),
+        (), mistakes=tuple(
+            node
+            for a in _ANGLES
+            for node in (
+                a * omega, omega / a,
+                *(each for n in _RATES for each in (
+                    6 * a / n, a / (60 * n), a * n / 6, 6 * n / a, a / (12 * n), a / (3 * n),
+                    a * n / 360, 360 * n / a,
+                )),
+            )
+        ),
+        only=words(r"crank|kurbel|クランク|manivelle|manovella|manivela|vilebrequin|cigüeñal|albero"),
+        unless=words(r"camshaft|nockenwelle|period|schwing|oscillat|vibrat|カム|振動"), is_told_once=True,
     ),
     Quantity(
         "crank radius by the stroke", letters("r R"),

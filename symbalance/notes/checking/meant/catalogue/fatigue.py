@@ -90,8 +90,9 @@ FATIGUE: tuple[Quantity, ...] = (
          / static_strength), ("edit", "exchange", "part"),
         mistakes=(static_strength * (1 - mean_stress / endurance), endurance * (1 - static_strength
                   / mean_stress), endurance * (1 - mean_stress / endurance), endurance - mean_stress,
+                  endurance - mean_stress / static_strength,
+                  endurance * (1 - (mean_stress / static_strength) ** 2),
                   endurance * (1 + mean_stress / static_strength)),
-        others=(endurance * (1 - (mean_stress / static_strength) ** 2),),
         only=_LINE, unless=words(r"gerber|parabol|ellip|morrow|walker|langer"),
     ),
     Quantity(

@@ -51,7 +51,11 @@ FORCED: tuple[Quantity, ...] = (
               r"(?:part|share|fraction|ratio)\s+of\s+the\s+force\s+(?:that\s+is\s+)?(?:passed|transmitted)",
               r"force\s+(?:passed\s+on|transmi\w+)", r"(?:kraft)?durchlässigkeit\w*",
               r"übertragungs(?:funktion|faktor|maß|verhältnis)", r"(?:力|振動)?の?伝達[率比]",
-              r"transmisibilidad", r"trasmissibilità"),
+              r"transmisibilidad", r"trasmissibilità",
+              r"(?:part|share|fraction|ratio)\s+of\s+the\s+(?:\w+\s+){0,2}force\s+(?:that|which)\s+(?:reaches|is"
+              r"\s+(?:passed|transmitted)|gets|goes)",
+              r"force\s+(?:that|which)\s+reaches\s+the\s+(?:ground|foundation|floor)",
+              r"anteil\s+der\s+(?:\w+)?kraft\w*", r"(?:基礎|床)に伝わる力の(?:割合|比)"),
         (root(_PASSED / _BELOW), root(_PASSED) / root(_BELOW), root((1 + _LOSS**2) / (_SPREAD
         + _LOSS**2)),
          1 / (tuning**2 - 1), 1 / (1 - tuning**2)),
@@ -59,7 +63,10 @@ FORCED: tuple[Quantity, ...] = (
         mistakes=(_PASSED / root(_BELOW), root(_PASSED) / _BELOW, _PASSED / _BELOW, 1 / root(_BELOW),
                   (1 + _LOSS) / root(_BELOW), root(1 + _LOSS) / root(_BELOW), root(_BELOW / _PASSED),
                   root(_PASSED / (_SPREAD - _LOSS**2)), 1 / (1 + tuning**2), 1 / (1 - tuning),
-                  1 / (tuning - 1), tuning**2 - 1, 1 - tuning**2, 1 / (1 - tuning**2) ** 2),
+                  1 / (tuning - 1), tuning**2 - 1, 1 - tuning**2, 1 / (1 - tuning**2) ** 2,
+                  root((tuning**2 + _LOSS**2) / (_SPREAD + _LOSS**2)),
+                  root((1 + (_LOSS / 2) ** 2) / (_SPREAD + (_LOSS / 2) ** 2)),
+                  root((1 + _LOSS**2) / ((1 + tuning**2) ** 2 + _LOSS**2))),
         others=(tuning**2 / (1 - tuning**2), tuning**2 / (tuning**2 - 1),
                 tuning**2 * root(_PASSED) / root(_BELOW), (tuning**2 - 2) / (tuning**2 - 1)),
         unless=words(r"hysteretic|structural damping|loss factor|verlustfaktor|損失係数"
@@ -86,6 +93,24 @@ FORCED: tuple[Quantity, ...] = (
                      r"|free vibration|freie schwingung|first and second|crank"),
     ),
     Quantity(
+        "lag of a forced vibration behind its force",
+        letters("phi varphi psi epsilon varepsilon delta alpha theta"),
+        words(r"(?:phase\s+)?lags?\b", r"\blag(?:s|ging)?\b", r"nacheil\w*",
+        r"phase(?:\s+(?:angle|lag|shift|difference))?",
+              r"phasen(?:winkel|verschiebung\w*|nacheil\w*|lage)", r"位相(?:角|差|遅れ)?"),
+        (Call("atan", _LOSS / (1 - tuning**2)),
+         Call("atan", damping * omega / (stiffness - mass * omega**2))),
+        ("edit", "factor"),
+        mistakes=(Call("atan", _LOSS / (tuning**2 - 1)), Call("atan",
+        damping_ratio * tuning / (1 - tuning**2)),
+                  Call("atan", damping * omega / (mass * omega**2 - stiffness)), Call("atan",
+                  _LOSS / (1 + tuning**2)),
+                  Call("atan", (1 - tuning**2) / _LOSS)),
+        only=words(r"\blag(?:s|ging)?\b|\bbehind\b|retard|nacheil|hinter|遅れ|retraso|ritardo|atraso"),
+        unless=words(r"base|fußpunkt|基礎|hysteretic|structural|velocity|geschwindigkeit|transmi"
+                     r"|free vibration|freie schwingung|first and second|crank|lead|vor(?:eil|aus)"),
+    ),
+    Quantity(
         "bow of a shaft that whirls", letters("y r x w f delta a"),
         words(r"deflection", r"\bbow", r"amplitude", r"whirl\w*", r"(?:wellen)?auslenkung",
         r"durchbiegung",
@@ -110,7 +135,8 @@ FORCED: tuple[Quantity, ...] = (
         "energy lost per cycle in a viscous damper", letters("W E D A Delta_E Delta_W U Q"),
         words(r"per\s+(?:vibration|oscillation|cycle)(?:\s+it)?\s+is|energy|heat|wärme|熱|\bwork|\bloss|dissipat\w+|arbeit|energie|verlust|エネルギー?|仕事"),
         (PI * damping * omega * amplitude**2,), ("factor", "power", "part"),
-        mistakes=(PI * damping * omega**2 * amplitude**2, PI * damping * omega * amplitude,
+        mistakes=(PI * damping * omega**2 * amplitude**2, damping * omega**2 * amplitude**2 / 2,
+                  PI * damping * omega * amplitude,
                   PI * damping * omega**2 * amplitude),
         only=words(r"\A(?=(?s:.*?)(?:damp|dämpf|減衰|dashpot|viscous|friction|hysteres))(?s:.*?)"
                    r"(?:per (?:full )?(?:cycle|period|oscillation|vibration|turn|swing)"
@@ -159,10 +185,10 @@ FORCED: tuple[Quantity, ...] = (
         words(r"energy|\bwork|input|arbeit|energie|エネルギー?|仕事"),
         (PI * excitation * amplitude,), ("factor", "part"),
         mistakes=(PI * excitation * amplitude**2, excitation * amplitude),
-        only=words(r"resonan\w*(?=.{0,200}(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
-        r"|1周期))"
-                   r"|(?:per (?:cycle|period|vibration)|je schwingung|pro periode"
-                   r"|1周期)(?=.{0,200}resonan)"),
+        only=both(words(r"resonan|resonanz|90\W{0,3}(?:°|degrees|\^|grad)|quarter\s+(?:of\s+a\s+)?(?:cycle|period)|共振"),
+                  words(r"(?:per|in (?:one|a|each)|during (?:one|a|each)|over (?:one"
+                  r"|a)) (?:full )?(?:cycle|period|vibration"
+                        r"|oscillation)|(?:je|pro) (?:schwingung|periode)|[1一](?:周期|サイクル)")),
         unless=words(r"power|leistung|動力|all cylinders|sum|gas"),
     ),
     Quantity(
@@ -181,18 +207,22 @@ FORCED: tuple[Quantity, ...] = (
               r"最適同調\w*", r"最適(?:固有)?振動数比"),
         (1 / (1 + mass_ratio),), ("edit",),
         mistakes=(1 / (1 - mass_ratio), 1 + mass_ratio, mass_ratio / (1 + mass_ratio), 1 - mass_ratio,
-                  1 / (1 + mass_ratio) ** 2, 1 / mass_ratio),
+                  1 / (1 + mass_ratio) ** 2, 1 / mass_ratio, 1 / (1 + 2 * mass_ratio)),
         others=(1 / root(1 + mass_ratio), root(1 + mass_ratio), root(1 - mass_ratio / 2) / (1
         + mass_ratio)),
         only=_ABSORBER, unless=words(_UNTUNED),
     ),
     Quantity(
-        "optimum damping of a tuned absorber", letters("zeta D xi vartheta theta delta"),
-        words(r"optim\w+\s+damping(?:\s+ratio)?", r"damping(?:\s+ratio)?", r"optimale\s+dämpfung\w*",
+        "optimum damping of a tuned absorber", letters("zeta D xi vartheta theta delta ∕"),
+        words(r"optim\w+\s+damping(?:\s+ratio)?", r"damping\s+optim\w+", r"damping(?:\s+ratio)?",
+        r"optimale\s+dämpfung\w*",
               r"dämpfungs(?:grad|maß)", r"最適減衰比?"),
         (root(3 * mass_ratio / (8 * (1 + mass_ratio) ** 3)),), ("edit", "root"),
         mistakes=(root(3 * mass_ratio / (8 * (1 + mass_ratio) ** 2)), 3 * mass_ratio
-                  / (8 * (1 + mass_ratio) ** 3), root(8 * mass_ratio / (3 * (1 + mass_ratio) ** 3))),
+                  / (8 * (1 + mass_ratio) ** 3), root(8 * mass_ratio / (3 * (1 + mass_ratio) ** 3)),
+                  root(3 / (8 * (1 + mass_ratio) ** 3)),
+                  root(3 * mass_ratio / (8 * (1 - mass_ratio) ** 3)),
+                  root(3 * mass_ratio / (4 * (1 + mass_ratio) ** 3))),
         others=(root(3 * mass_ratio / (8 * (1 + mass_ratio))), root(mass_ratio / (8 * (1 + mass_ratio))),
                 root(3 * mass_ratio / 8)),
         only=_ABSORBER, unless=words(_UNTUNED),
@@ -209,10 +239,11 @@ FORCED: tuple[Quantity, ...] = (
                    r"|viskositätsdämpfer|ビスカス"),
     ),
     Quantity(
-        "greatest magnification with the best viscous ring", letters("M V A Q R"),
+        "greatest magnification with the best viscous ring", letters("M V A Q R ∕"),
         words(r"magnification|amplification|peak|vergrößerung\w*|überhöhung|倍率"),
         (1 + 2 / mass_ratio, (2 + mass_ratio) / mass_ratio), ("edit", "factor"),
-        mistakes=(root(1 + 2 / mass_ratio), 1 + mass_ratio / 2, 2 / mass_ratio, 1 + 1 / mass_ratio),
+        mistakes=(root(1 + 2 / mass_ratio), 1 + mass_ratio / 2, 2 / mass_ratio, 1 + 1 / mass_ratio,
+                  1 - 2 / mass_ratio, 2 + 1 / mass_ratio),
         only=words(r"houdaille|untuned|viscous (?:torsional )?(?:vibration )?damper|lanchester"
         r"|viskos\w*dämpfer"
                    r"|viskositätsdämpfer|ビスカス"),
@@ -222,8 +253,9 @@ FORCED: tuple[Quantity, ...] = (
         "order to which a pendulum is tuned", letters("n q i k m j p N nu"),
         words(r"\border", r"\bordnung(?:szahl)?", r"次数", r"tun(?:ed|ing)", r"abgestimmt", r"abstimm\w*",
               r"同調"),
-        (root(hang / bob),), ("root", "edit"), mistakes=(root(bob / hang), hang / bob, bob / hang),
-        others=(root((hang + bob) / bob), root((hang - bob) / bob), root(hang / bob - 1)),
+        (root(hang / bob),), ("root", "edit", "turn"), mistakes=(root(bob / hang), hang / bob,
+        bob / hang, root((hang + bob) / bob)),
+        others=(root((hang - bob) / bob), root(hang / bob - 1)),
         only=_PENDULUM, unless=words(r"roller|bifilar|spring|feder|ばね|radius of gyration"
         r"|trägheitsradius"),
     ),
@@ -231,8 +263,8 @@ FORCED: tuple[Quantity, ...] = (
         "natural angular frequency of a pendulum on a turning crank", letters("omega Omega w p"),
         words(r"natural\s+(?:angular\s+|circular\s+)?frequency", r"frequency", r"eigen(?:kreis)?frequenz",
               r"固有(?:角|円)?振動数"),
-        (omega * root(hang / bob),), ("root", "edit"),
-        mistakes=(omega * root(bob / hang), omega * hang / bob),
+        (omega * root(hang / bob),), ("root", "edit", "power", "turn"),
+        mistakes=(omega * root(bob / hang), omega * hang / bob, omega * root((hang + bob) / bob)),
         only=_PENDULUM, unless=words(r"roller|bifilar|spring|feder|ばね|gravity|erdschwere|重力"),
     ),
 )  # fmt: skip

@@ -30,7 +30,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     width,
     words,
 )
-from symbalance.notes.checking.meant.catalogue.strength import HOLLOW
+from symbalance.notes.checking.meant.catalogue.strength import HOLLOW, both
 
 _NO_DISC = (
     r"hollow|hohl|annul|\bbored|\brims?\b|hoop|kranz|リング|円環|リム|中空"
@@ -119,6 +119,50 @@ INERTIA: tuple[Quantity, ...] = (
         mistakes=(mass * (outer_radius**2 - inner_radius**2) / 2, mass * (outer**2 - inner**2) / 8),
         others=(mass * (outer_radius**2 + inner_radius**2) / 4, mass * (outer**2 + inner**2) / 16),
         unless=words(r"about (?:a|its) diameter|durchmesserachse|直径|thin|dünn|薄"),
+    ),
+    Quantity(
+        "moment of inertia of a ring about the axis that it turns about", letters("J I Theta"),
+        words(r"about\s+(?:its|the)\s+(?:own\s+)?axis(?:\s+of\s+(?:rotation|symmetry))?",
+              r"um\s+(?:ihre|seine|die)\s+(?:dreh)?achse"),
+        (mass * (outer_radius**2 + inner_radius**2) / 2, mass * (outer**2 + inner**2) / 8),
+        ("factor", "edit"),
+        mistakes=(mass * (outer_radius**2 - inner_radius**2) / 2, mass * (outer**2 - inner**2) / 8,
+                  mass * (outer_radius**4 - inner_radius**4) / 2,
+                          mass * (outer_radius + inner_radius) ** 2 / 2,
+                  mass * (outer_radius**2 + inner_radius**2),
+                          mass * (outer_radius**2 + inner_radius**2) / 4),
+        only=words(r"hollow\s+(?:cylinder|dis[ck]|shaft)|(?:annular|bored)\s+dis[ck]|\brims?\b|\brings?\b|hohlzylinder"
+                   r"|(?:schwung|rad)?kranz|ringscheibe|中空円[筒柱板]|円環|リム"),
+        unless=words(r"mean (?:radius|diameter)|mittlere[rnm]? (?:radius|halbm|durchm)"
+                     r"|平均", r"about (?:a|its|the) diameter|durchmesserachse|直径(?:軸|まわり)"
+                     r"|thin|dünn|薄"
+                     r"|arms|spokes|speichen|\bhub\b|nabe"),
+        is_told_once=True,
+    ),
+    Quantity(
+        "moment of inertia of a solid cylinder about a line across it", letters("J I Theta"),
+        words(r"(?:mass\s+)?moment\s+of\s+inertia(?:[^.;=$]{0,90}(?:axis|axe|asse|eje|achse|cylinder|zylinders?)\b)?",
+              r"(?:massen)?trägheitsmoment(?:[^.;=$]{0,90}(?:achse|zylinders?)\b)?", r"慣性モーメント"),
+        tuple(mass * radius**2 / 4 + mass * each**2 / 12 for each in (height, length)), ("edit",),
+        mistakes=tuple(
+            wrong
+            for each in (height, length)
+            for wrong in (
+                mass * radius**2 / 2 + mass * each**2 / 12, mass * radius**2 / 4 + mass * each**2 / 3,
+                mass * (radius**2 + each**2) / 12, mass * (3 * radius**2 - each**2) / 12,
+                        mass * radius**2 / 2,
+            )
+        ),
+        only=both(
+            words(r"cylinder|zylinder|cylindre|cilindr|円[柱筒]"),
+            words(r"(?:perpendicular|at\s+right\s+angles|normal|transverse|perpendicol\w+|perpendiculaire|ortogonal\w*)"
+                  r"[^.;]{0,30}(?:axis|axe|asse|eje|shaft)|(?:senkrecht|quer)\s+zu[rm]?\s+(?:\w+\s+)?\w*achse|querachse"
+                  r"|軸に(?:垂直|直角)"),
+            words(r"cent(?:re|er|roid)|middle|schwerpunkt|mitte|baricentr|gravit|重心|中心"),
+        ),
+        unless=words(r"hollow|hohl|中空|\bend\b|\bface\b|\bbase\b|stirnfl|\bende\b|端|cavo|creux"
+                     r"|hueco|diameter of|piston"),
+        is_told_once=True,
     ),
     Quantity(
         "moment of inertia by the radius of gyration", letters("J I Theta"),

@@ -26,6 +26,7 @@ ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION = (
     "rod angle", "angular velocity of the rod", "angular acceleration of the rod",
 )  # fmt: skip
 STROKE, FASTEST, HUMP = "stroke", "crank angle of the largest speed", "crank angle of the third extreme"
+HALF = "crank angle at half the stroke"
 SHORTENING = "shortening by the inclined rod"
 TOP, BOTTOM, RIGHT, LARGEST, LEAST = "top", "bottom", "right", "largest", "least"
 TURNED = frozenset({PATH, SPEED, ACCELERATION, JERK, ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION})
@@ -105,6 +106,7 @@ MOTIONS: Mapping[tuple[str, str], Motion] = {
         (Call("acos", (sqrt(1 + 8 * lam**2) - 1) / (4 * lam)), Call("atan", 1 / lam), Call("acos", lam),
          PI / 2 - lam),
     ),
+    (HALF, ""): Motion((Call("acos", lam / 2),), (PI / 2 - lam / 2,)),
     (HUMP, ""): Motion((), (Call("acos", -1 / (4 * lam)),)),
 }  # fmt: skip
 """By motion and place. Formulas that a page may give the other sign are those of `TURNED`."""

@@ -160,7 +160,7 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
               r"|magnitude)", r"betrag\s+der\s+rest(?:massen)?kraft",
               r"(?:残留力|不釣り?合い力)の(?:合力|大きさ)"),
         (_FORCE * root((1 - share) ** 2 * COS_CRANK**2 + share**2 * SIN_CRANK**2), _FORCE / 2),
-        ("edit", "power"),
+        ("edit", "power", "root"),
         others=(_FORCE * root((1 - share) ** 2 * SIN_CRANK**2 + share**2 * COS_CRANK**2),),
         mistakes=(_FORCE, _FORCE / 4,
         _FORCE * root((1 - share) ** 2 * COS_CRANK**2 + (1 - share) ** 2 * SIN_CRANK**2),

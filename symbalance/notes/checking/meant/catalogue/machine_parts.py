@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from symbalance.document.formula import number
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
+    area,
     bending,
+    density,
     diameter,
     first_rate,
     force,
@@ -15,8 +18,10 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     length,
     letters,
     line_load,
+    mass,
     omega,
     outer,
+    pin,
     radius,
     root,
     rotation,
@@ -29,6 +34,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     young,
 )
 from symbalance.notes.checking.meant.catalogue.shaft_roles import shear_stress_allowed, third_rate
+from symbalance.notes.checking.meant.catalogue.strength import both
 
 _ANNULUS = outer**4 - inner**4
 _BORED = words(r"hollow|\bbored\b|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|中空|円管|パイプ")
@@ -51,6 +57,16 @@ _FIXED = words(
 )
 _DEFLECTION = words(r"deflection", r"durchbiegung", r"たわみ量?")
 
+_BY_SHEAR = both(
+    words(r"maximum[- ]shear(?:ing)?(?:[- ]stress)?|\btresca|\bguest\b|schubspannungshypothese"
+          r"|最大せん断応力説|cisaillement maximal"
+          r"|tensión cortante máxima|tensione tangenziale massima|massima tensione tangenziale"),
+    words(r"\bbending|biege|biegung|曲げ|fléchissant|flettente|flector"),
+)  # fmt: skip
+_NO_BY_SHEAR = words(
+    r"hollow|hohl|中空|\bbored|von mises|distortion|gestaltänderung|rankine|normalspannung"
+    r"|fatigue factor|shock|k_m|k_t|key"
+)
 PARTS: tuple[Quantity, ...] = (
     Quantity(
         "torsional stress of a hollow shaft", letters("tau"),
@@ -159,6 +175,43 @@ PARTS: tuple[Quantity, ...] = (
                   (8 * torque / (PI * shear_stress_allowed)) ** _CUBE),
         only=words(r"torque|torsion|twist|drehmoment|verdreh|ねじり|トルク|shear"),
         unless=words(r"hollow|hohl|中空|bored|bending|biegung|曲げ|combined|key"),
+    ),
+    Quantity(
+        "diameter of a shaft in bending and torsion by the largest shear stress", letters("d D"),
+        words(r"diameters?", r"durchmesser", r"直?径", r"diam[eè]tr[eo]", r"diámetro"),
+        ((16 * root(bending**2 + torque**2) / (PI * shear_stress_allowed)) ** _CUBE,), ("factor", "edit"),
+        mistakes=((32 * root(bending**2 + torque**2) / (PI * shear_stress_allowed)) ** _CUBE,
+                  (16 * (bending + torque) / (PI * shear_stress_allowed)) ** _CUBE,
+                  (16 * root(bending**2 + 4 * torque**2) / (PI * shear_stress_allowed)) ** _CUBE,
+                  root(16 * root(bending**2 + torque**2) / (PI * shear_stress_allowed)),
+                  (16 * root(bending**2 - torque**2) / (PI * shear_stress_allowed)) ** _CUBE),
+        only=_BY_SHEAR, is_told_once=True, unless=_NO_BY_SHEAR,
+    ),
+    Quantity(
+        "largest shear stress of a shaft in bending and torsion", letters("tau"),
+        words(r"(?:allowable|permissible|(?:largest|greatest|maximum)\s+)?(?:shear(?:ing)?\s+)stress",
+              r"(?:größte|maximale|zulässige)?\s*schubspannung", r"(?:最大"
+                r"|許容)?せん断応力", r"diameters?", r"durchmesser"),
+        (16 * root(bending**2 + torque**2) / (PI * diameter**3),), ("factor", "edit", "power"),
+        mistakes=(32 * root(bending**2 + torque**2) / (PI * diameter**3),
+                  16 * (bending + torque) / (PI * diameter**3)),
+        only=_BY_SHEAR, is_told_once=True, unless=_NO_BY_SHEAR,
+    ),
+    Quantity(
+        "largest bending moment of a rod by its own inertia", letters("M"),
+        words(r"(?:whipping|bending)\s+moment", r"(?:biege|peitschen)moment", r"曲げモーメント",
+              r"moment\s+(?:fléchissant|de\s+flexion|de\s+fouettement)"),
+        (density * area * omega**2 * pin * length**2 / (9 * root(number(3))),
+         mass * omega**2 * pin * length / (9 * root(number(3)))), ("factor", "power"),
+        mistakes=(density * area * omega**2 * pin * length**2 / 8,
+                  2 * density * area * omega**2 * pin * length**2 / (9 * root(number(3))),
+                  density * area * omega**2 * pin * length / (9 * root(number(3))),
+                  density * area * omega * pin * length**2 / (9 * root(number(3)))),
+        only=both(words(r"connecting[- ]rod|\brod\b|pleuel|bielle|biela|biella|連接棒|コンロッド"),
+                  words(r"\bwhip|linearly|triang|linear\w*\s+(?:von|ansteig|zunehm)|dreieck|三角|linéairement"),
+                  words(r"uniform|constant\s+section|gleichförmig|konstant\w*\s+querschnitt|prismatic|一様|uniforme")),
+        is_told_once=True, unless=words(r"fixed|clamped|eingespannt|固定|tapered|\bpoint"
+                                        r"|at\s+the\s+(?:middle|centre|center)"),
     ),
     Quantity(
         "deflection of a beam fixed at both ends and loaded in the middle", letters("f w y delta v"),

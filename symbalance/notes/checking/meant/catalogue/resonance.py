@@ -180,9 +180,13 @@ RESONANCE: tuple[Quantity, ...] = (
         (PI**2 / length**2 * _SHAPES, PI**2 * root(young * section / (mass_per_length * length**4))),
         ("power", "factor", "edit"),
         mistakes=(PI / length * _SHAPES, PI / length**2 * _SHAPES, PI**2 / length * _SHAPES,
-                  PI**2 * root(young * section / (mass_per_length * length**3))),
+                  PI**2 * root(young * section / (mass_per_length * length**3)),
+                  PI * root(young * section / (mass_per_length * length**4)),
+                  PI**2 * root(mass_per_length * length**4 / (young * section)),
+                  PI / 2 * root(young * section / (mass_per_length * length**4))),
         only=_UNIFORM_SHAFT,
-        unless=words(r"clamped|built[- ]in|fixed|eingespannt|固定|cantilever|kragarm|overhung|second"
+        unless=words(r"clamped|built[- ]in|fixed|eingespannt|固定|cantilever|kragarm|overhung"
+        r"|second(?!\s+moment)"
         r"|zweite|disc"
                      r"|scheibe|円板|free-free"),
     ),

@@ -25,7 +25,7 @@ _ROLES_OF_UNIT = {
     "m/s": "velocity",
     "m/s^2": "gravity",
     "N": "force weight any_force piston_force rod_force tangential radial_part centrifugal net_force"
-    " wheel_load shear_force",
+    " wheel_load shear_force load_rating bearing_load",
     "N m": "bending torque",
     "J": "swing kinetic cycle_work excess",
     "W": "power effective_power indicated_power lost_power",

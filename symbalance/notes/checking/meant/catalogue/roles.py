@@ -65,6 +65,8 @@ class Quantity:
     """Whether those words may stand anywhere on the page, if none of `unless` does."""
     together: tuple[tuple[str, str], ...] = ()
     """Roles whose letters have the same subscript, l_2 and d_2; "" is the quantity itself."""
+    subscripts: tuple[tuple[str, str], ...] = ()
+    """Roles whose letters need one of some subscripts, whatever words name them: x_0 the first peak."""
     stated: frozenset[str] = frozenset()
     """Roles whose number the words of the page may give: half of the mass, seven cylinders."""
     is_of_one: bool = False
@@ -72,6 +74,9 @@ class Quantity:
     is_plain: bool = False
     """Whether its formula is that of many others, F/A: nothing is proved by it, and where the words may
     name another quantity of these letters nothing is refuted."""
+    is_by_unit: bool = False
+    """Whether its formulas differ by a letter's unit, 2πn and πn/30: a declared one settles which, or
+    another formula of the quantity on the page."""
     turns: bool = False
     """Whether the angle has to be counted from the line of stroke, at the top, for a refutation."""
 
@@ -94,10 +99,13 @@ def root(node: Formula) -> Formula:
 PI = Constant("pi")
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("diameter", "d D", r"diameters?|durchmessers?|(?<!半)径|\bbore|bohrung|ボア"),
-    ("outer", "d D", r"(?:outer|outside|external)(?: diameter)?|außen(?:durchmesser)?|aussendurchmesser"
+    ("outer", "d D", r"(?:outer|outside|external)(?: diameter)?|(?:diameter |\be |\bet "
+                     r"|\by )(?:exterior|extérieur|externo|esterno)|außen(?:durchmesser)?"
+                     r"|aussendurchmesser"
      r"|between (?:the )?diameters|zwischen den durchmessern"
      r"|外径"),
-    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|innen(?:durchmesser)?|内径|\bbore"
+    ("inner", "d D", r"(?:inner|inside|internal)(?: diameter)?|(?:diameter |\be |\bet "
+                     r"|\by )(?:interior|intérieur|interno)|innen(?:durchmesser)?|内径|\bbore"
      r"|diameter of the (?:hole|bore|drilling)|\bhole(?: diameter)?|\bdrilled to"
      r"|(?:auf|durch)?bohrung(?:sdurchmesser)?"
      r"|durchmesser der bohrung|between (?:the )?diameters|zwischen den durchmessern|穴径"),
@@ -107,7 +115,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("torque", "T M tau", r"(?<!trägheits)(?<!widerstands)(?<!flächen)moments?(?! of)|torques?|トルク"
      r"|ねじりモーメント"),
     ("force", "F P", r"forces?|loads?|kraft|last|力|荷重|weights?|gewicht"),
-    ("pressure", "p P", r"pressure|druck|圧力?|[bi]?mep"),
+    ("pressure", "p P", r"pressure(?: (?:interior|intérieure|interna))?|druck|圧力?|[bi]?mep"),
     ("area", "A S F", r"area|fläche|面積|cross[- ]section|querschnitt(?!s)"),
     ("modulus", "W Z S", r"section modulus|widerstandsmoment|断面係数"),
     ("section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
@@ -117,8 +125,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("shear", "G C N", r"shear modulus|modulus of rigidity|rigidity|schubmodul|gleitmodul"
      r"|横弾性係数|せん断弾性係数|剛性率"),
     ("length", "l L ell", r"length|lang|länge|長さ?|distance|\bspan|abstand|stützweite|距離|スパン"),
-    ("stress", "sigma", r"stress|spannung|応力"),
-    ("shearing", "tau", r"stress|spannung|応力"),
+    ("stress", "sigma", r"(?<!shear )(?<!shearing )(?<!torsional )stress|(?<!schub)(?<!torsions)spannung"
+     r"|(?<!せん断)(?<!ねじり)応力"),
+    ("shearing", "tau", r"(?<!bending )(?<!normal )(?<!tensile )(?<!direct )stress"
+     r"|(?<!biege)(?<!normal)(?<!zug)spannung|(?<!曲げ)(?<!垂直)応力"),
     ("stiffness", "c k C K", r"stiffness|spring (?:rate|constant)|rate|constant|steifigkeit"
      r"|federkonstante|federrate|federn?|springs?|ばね定数?|剛性|こわさ"),
     ("mass", "m M", r"masse[ns]?|mass(?:es)?|質量|weight|gewicht|weigh(?:s|ing)|wiegt|rotor|dis[ck]s?"
@@ -127,15 +137,17 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|慣性モーメント|flywheel|schwungrad|rotor|円板|dis[ck]s?|scheiben?"),
     ("second_section", "I J", r"second moment|moment of (?:inertia|area)|polar moment|trägheitsmoment"
      r"|断面二次|inertia", "1 2 3 a b"),
-    ("first_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("first_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("second_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("second_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント"),
-    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speed"
+    ("omega", "omega Omega w", r"(?:angular|circular) (?:speed|velocity|frequency)|speeds?"
     r"|winkelgeschwindigkeit"
      r"|kreisfrequenz|角速度|角振動数"),
-    ("omega_high", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
-    ("omega_low", "omega Omega", r"speed|velocity|winkelgeschwindigkeit|角速度"),
+    ("omega_high", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?"
+    r"|角速度", "", "min"),
+    ("omega_low", "omega Omega", r"speeds?|velocit(?:y|ies)|winkelgeschwindigkeit(?:en)?"
+    r"|角速度", "", "max"),
     ("rotation", "n N f", r"speed|rpm|revolutions|drehzahl|回転数|回転速度|frequency"),
     ("frequency", "f nu", r"frequency|frequenz|振動数|周波数"),
     ("stroke", "s S H L", r"stroke|hub|行程|ストローク"),
@@ -148,7 +160,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("power", "P N L", r"power|leistung|動力|出力"),
     ("shift", "a e d s", r"distance|abstand|eccentricity|距離|offset"),
     ("central", "J I Theta", r"inertia|trägheitsmoment|慣性モーメント"),
-    ("gravity", "g", r"gravity|erdbeschleunigung|重力加速度"),
+    ("gravity", "g", r"(?<!centre of )(?<!center of )gravity|erdbeschleunigung|重力加速度"),
     ("weight", "W G w", r"weight|gewicht|重量"),
     ("rod_angle", "beta phi varphi psi gamma delta", r"rod angle|obliquity|inclination(?: of the"
      r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
@@ -160,7 +172,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
-    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force on the piston"
+    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force (?:total "
+    r"|resultant |acting )?(?:up)?on the piston"
+     r"|force along the (?:axis of the cylinder|cylinder(?:'s)? axis|line of stroke)"
+     r"|ピストンに(?:働く|作用する|かかる)?(?:軸方向の?)?力"
         r"|net (?:piston )?(?:force|load)"
      r"|(?:kolben|gas)-?kraft|(?:ピストン|ガス)力", "g G p K k gas kol Gas Kol"),
     ("rod_force", "F S Q", r"(?:rod|stangen|pleuel)\w*[ -]*(?:force|thrust|load|kraft)|force (?:in|of"
@@ -195,9 +210,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("first_length", "l L ell", r"lengths?|längen?|長さ?", "1 a"),
     ("first_diameter", "d D", r"diameters?|durchmesser|径", "1 a"),
     ("density", "rho varrho gamma", r"density|dichte|密度"),
-    ("own_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?|慣性モーメント",
+    ("own_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
+    r"|慣性モーメント",
      "1 2 a b A B"),
-    ("other_inertia", "J I Theta", r"inertia|trägheitsmomenten?|massen|dis[ck]s?|scheiben?"
+    ("other_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント",
      "1 2 a b A B"),
     ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient"
@@ -207,10 +223,12 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("damping_ratio", "D zeta xi vartheta theta", r"damping(?: ratio| factor)?|dämpfungs(?:grad|maß)"
     r"|lehr\w*"
      r"|減衰比"),
-    ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"),
+    ("tuning", "eta r beta nu", r"(?:frequency )?ratio|tuning|abstimmung|frequenzverhältnis|振動数比"
+     r"|振動数[^、。]{0,14}の比|ratio of (?:the )?\w+ (?:to|and) (?:the )?\w+ frequenc(?:y|ies)"),
     ("decrement", "Lambda delta vartheta theta", r"decrement|dekrement|減衰率"),
     ("order", "i k n nu j x z m", r"\border|ordnung|ordnungszahl|次数?|harmonic|per (?:turn|revolution)"),
-    ("static_deflection", "delta f y x s w", r"deflection|durchsenkung|durchbiegung|einsenkung|たわみ"),
+    ("static_deflection", "delta f y x s w", r"(?:deflection|durchsenkung|durchbiegung|einsenkung)"
+     r"(?: (?:at|under|of|in|au|unter|am|an|der|des)\b[^,.;$=\\]{0,30})?|たわみ"),
     ("period", "T tau", r"period|time|dauer|zeit|周期"),
     ("arm", "s h a d e L l", r"distance|abstand|距離|length|länge|長さ"),
     ("gyration", "k i r rho", r"gyration|trägheitsradius|trägheitshalbmesser|回転半径"),
@@ -241,10 +259,12 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|zentrifugalkraft|遠心力"),
     ("effective_pressure", "p_e p_me p_b p_eff p_bmep P_e", r"(?:brake"
         r"|effective) mean (?:effective )?pressure"
+     r"|(?<!indicated )(?<!friction )(?<!fmep )mean effective pressure"
      r"|effektiver? (?:mittel|nutz)druck|正味平均有効圧力?|bmep"),
     ("indicated_pressure", "p_i p_mi p_ind p_imep P_i", r"indicated (?:mean )?(?:effective )?pressure"
      r"|mean indicated pressure|indizierter? (?:mittel|innen)druck|図示平均有効圧力?|imep"),
-    ("lost_pressure", "p_r p_mr p_f p_fr p_fmep", r"friction (?:mean )?(?:effective )?pressure"
+    ("lost_pressure", "p_r p_mr p_f p_fr p_mf p_fmep", r"friction (?:mean )?(?:effective )?pressure"
+     r"|mean (?:effective )?pressure of friction"
         r"|reib(?:ungs)?mitteldruck"
      r"|摩擦平均有効圧力?|fmep"),
     ("effective_power", "P_e P_b P_eff N_e P_bp P_bhp P_B N_b", r"(?:brake|effective"
@@ -277,11 +297,14 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         r"|(?:force|load|effort|kraft) (?:up)?(?:on|auf) (?:the |den )?(?:piston|kolben)"
         r"|(?:net|effective)"
      r" (?:force|load|effort)|ピストン力", "", "s S st St cr c l pl rod R r b B t T"),
-    ("outer_radius", "R r", r"(?:outer|outside|external)(?: radius)?|außen(?:radius)?|外半径"
+    ("outer_radius", "R r",
+            r"(?:outer|outside|external)(?: radius)?|(?:radius |\be |\bet |\by )(?:exterior"
+            r"|extérieur|externo|esterno)|außen(?:radius)?|外半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
     ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
-    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|innen(?:radius)?|内半径"
+    ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|(?:radius |\be |\bet "
+                            r"|\by )(?:interior|intérieur|interno)|innen(?:radius)?|内半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
     ("bank", "gamma delta alpha V beta", r"(?:bank|vee|V|included|cylinder|fork)[- ]?angle|bankwinkel"
      r"|V-winkel|gabelwinkel|バンク角|挟み角"
@@ -300,8 +323,17 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r" (?:sector )?angle|öffnungswinkel|zentriwinkel|中心角"),
     ("half_sector", "alpha beta gamma phi varphi theta delta",
         r"half[- ]?(?:the )?(?:\w+ )?angle|(?:opening|sector|full"
-     r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halber? \w*winkel|半角"),
+     r"|included)(?: \w+)? angle 2|öffnungswinkel 2|semi-?angle|halbe[nrms]? (?:\w+ )?\w*winkel|半角"),
     ("grade", "G Q", r"grade|quality|gütestufe|auswuchtgüte|等級|mm/s"),
+    ("back_pressure", "p P", r"(?:crankcase|ambient|atmospheric|back|outside|surrounding|external"
+    r"|counter)"
+     r"\s+pressure|pressure\s+(?:in|of|at)\s+(?:the\s+)?(?:crankcase|surroundings|atmosphere|environment"
+     r"|underside|outside)|atmosphere|(?:umgebungs|atmosphären|kurbelgehäuse|kurbelraum|außen|gegen)-?druck"
+     r"|druck\s+(?:im|in\s+de[mr]|der)\s+(?:kurbelgehäuse|kurbelraum|umgebung)"
+     r"|(?:クランク(?:室|ケース)|大気|外|背)の?(?:内)?の?圧力?|pression\s+(?:atmosphérique|ambiante)"
+     r"|presi[oó]n\s+(?:atmosférica|ambiente)|pressione\s+(?:atmosferica|ambiente)",
+     "0 a u k K KG atm amb U c L b crank cc umg o"),
+    ("turned_angle", "theta vartheta alpha phi varphi psi gamma delta beta", r"(?!)"),
     ("wall_of_weight", "t b h s w d B", r"thick\w*|width|breadth|dicke|breite|厚さ?|幅"),
 )  # fmt: skip
 ROLES: Mapping[str, Role] = {
@@ -330,5 +362,6 @@ OTHER_LENGTHS = words(
     effective_pressure, indicated_pressure, lost_pressure, effective_power, indicated_power,
     lost_power, cycle_work, excess, rod_acceleration, to_big, to_small, piston_mass, rod_mass,
     crank_mass, net_force, outer_radius, turn_rate, inner_radius, bank, half_bank, slender,
-    wheel_load, pitch, base_force, sector, half_sector, grade, wall_of_weight,
+    wheel_load, pitch, base_force, sector, half_sector, grade, back_pressure, turned_angle,
+    wall_of_weight,
 ) = map(Name, ROLES)  # fmt: skip

@@ -37,7 +37,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("hang", "R r a", r"radius|distance|halbmesser|abstand|半径|距離"),
     ("bob", "l L r ell rho", r"length|länge|長さ"),
     ("mass_ratio", "mu gamma", r"(?:mass |inertia )?ratio|massenverhältnis|(?:質量|慣性)比"),
-    ("gear_ratio", "i u n", r"ratio|übersetzung\w*|変速比|減速比|歯車比"),
+    ("gear_ratio", "i u n", r"\b(?:turns|rotates|runs)|\bläuft|ratio|übersetzung\w*|変速比|減速比"
+    r"|歯車比"),
     ("wire", "d", r"wire(?:'s)?(?: of)?(?: the)? diameter|wire|diameter of the wire|draht(?:durchmesser)?"
      r"|線径"),
     ("coil", "D d_m D_m", r"(?:mean|coil|spring)(?: \w+)? diameter|diameter of (?:the|a) (?:coils?"
@@ -62,8 +63,13 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("mass_per_length", "mu m rho q", r"mass per (?:unit )?length|linear density|masse je länge"
     r"|massenbelegung"
      r"|線密度"),
-    ("excitation", "F P T M Q", r"force|torque|moment|kraft|力|トルク", "0 a e hat n i k 1"),
+    ("excitation", "F P T M Q", r"force|torque|moment|kraft|力|トルク"
+     r"|(?:force|torque|moment|kraft)(?:es|s)? (?:of|with|mit|der) (?:the |an |der )?amplitude"
+     r"|(?:moment|kraft)amplitude"
+     r"|(?:力|トルク)の?振幅", "0 a e hat n i k 1"),
     ("shear_stress_allowed", "tau", r"stress|spannung|応力"),
+    ("load_rating", "C C_r C_dyn C_a", r"(?:load rating|basic rating|capacity|tragzahl|負荷容量)"),
+    ("bearing_load", "P F P_r F_r P_m F_m", r"(?:loads?|forces?|last|kraft|荷重)"),
     ("shear_force", "Q V F P S", r"(?:shear(?:ing)? )?force|querkraft|せん断力"),
 )  # fmt: skip
 SHAFT_ROLES: Mapping[str, Role] = {
@@ -75,5 +81,5 @@ SHAFT_ROLES: Mapping[str, Role] = {
     form_factor, sensitivity, bending_safety, torsion_safety, amplitude, hang, bob, mass_ratio,
     gear_ratio, wire, coil, windings, amplitude_before, first_speed, second_speed, third_speed,
     third_rate, driving, natural, upper_point, lower_point, resonant, mass_per_length, excitation,
-    shear_stress_allowed, shear_force,
+    shear_stress_allowed, load_rating, bearing_load, shear_force,
 ) = map(Name, SHAFT_ROLES)  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symbalance.document.formula import number
 from symbalance.notes.checking.meant.catalogue.roles import (
     PI,
     Quantity,
@@ -70,7 +71,10 @@ _MODULUS_POLAR = (
     PI * diameter**3 / 16, PI * radius**3 / 2, 2 * section / diameter, section / radius,
     PI * _ANNULUS / (16 * outer),
 )  # fmt: skip
-_BENDING_STRESS = words(r"bending\s+stress(?:es)?", r"flexural\s+stress", r"biegespannung", r"曲げ応力")
+_BENDING_STRESS = words(
+    r"bending\s+stress(?:es)?", r"flexural\s+stress", r"biegespannung", r"曲げ応力",
+    r"stress(?:es)?(?:\s+(?:largest|maximum|maximale))?\s+(?:of|in|due\s+to|from|by|en|de)\s+(?:bending|fle(?:x|ss)i[oó]ne?)",
+)  # fmt: skip
 _EQUIVALENT = words(
     r"(?:equivalent|reduced)\s+stress",
     r"von[- ]mises(?:\s+stress)?",
@@ -164,15 +168,24 @@ _SUPPORTED = words(
     r"|frei drehbar) gelagert"
     r"|supported at both"
     r" ends|zwei (?:stützen|lagern?)|beidseitig gelagert|beiderseits gelagert|zweifach gelagert"
-    r"|単純支持|両端支持"
+    r"|単純支持|両端支持|(?:sur|on|su|sobre) (?:deux|two|due|dos) (?:appuis|appoggi|apoyos)"
+    r"|simplemente apoyad\w+"
+    r"|appoggiat\w (?:agli|alle) estrem\w+"
 )
-_FIXED = words(r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定")
-_MIDDLE = words(r"middle|mid-?span|midway|half[- ]?way|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央")
+_FIXED = words(
+    r"fixed at both ends|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定"
+    r"|(?:encastrée?|fixed) (?:aux|at) (?:deux|two) extrémités|incastrat\w (?:agli"
+    r"|alle) estrem\w+|empotrad\w (?:en|por) (?:ambos|los dos)"
+)
+_MIDDLE = words(
+    r"middle|mid-?span|midway|half[- ]?way|cent(?:re|er)|central(?:ly)?|mittig|\bmitte|中央"
+    r"|\bmilieu|\bmezzo|\bcentro\b"
+)
 _END_LOAD = words(r"\bend\b|\btip\b|\bende\b|先端|自由端|free end|an der spitze")
 _UNIFORM = words(r"uniform|evenly|gleichm|streckenlast|gleichstreckenlast|等分布|distributed|verteilt")
 _OTHER_BEAM = words(
     r"fixed at both|built[- ]in at both|clamped at both|beidseitig eingespannt|両端固定"
-    r"|one (?:end )?fixed|propped"
+    r"|encastr|incastrat|empotrad|one (?:end )?fixed|propped"
     r"|quarter|viertel|at a distance|im abstand|continuous|durchlauf|three bearings|drei lager"
 )
 _BENDING_MOMENT = words(
@@ -193,14 +206,23 @@ def both(*patterns: re.Pattern[str]) -> re.Pattern[str]:
     return re.compile(rf"\A{ahead}", re.IGNORECASE | re.DOTALL)
 
 
+_ABOUT_DIAMETER = words(
+    r"about\s+(?:a|its|the|any)\s+diameter", r"bezogen auf (?:einen"
+                                             r"|den) durchmesser", r"\baxial", r"直径に関する",
+    r"直径(?:軸)?まわり", r"\bbending", r"biegung", r"曲げ",
+)  # fmt: skip
+
+
 STRENGTH: tuple[Quantity, ...] = (
     Quantity(
         "torsional stress of a round shaft", letters("tau"),
-        words(r"(?:torsion|twist|shear)\w*\s+stress(?:es)?", r"(?:torsions|schub|verdreh)spannung",
-               r"(?:ねじり|せん断|剪断)応力"),
+        words(r"(?:(?:largest|greatest|maximum|max\.?)\s+)?(?:torsion|twist|shear)\w*\s+stress(?:es)?",
+              r"(?:größte\s+|maximale\s+)?(?:torsions|schub|verdreh)spannung",
+              r"(?:最大)?(?:ねじり|せん断|剪断)応力"),
         (16 * torque / (PI * diameter**3), 2 * torque / (PI * radius**3), torque / modulus,
          torque * diameter / (2 * section), torque * radius / section,
          16 * torque * outer / (PI * _ANNULUS)),
+        mistakes=(PI * diameter**3 / (16 * torque),),
         context=words(r"torsion|twist|verdreh|drill"
         r"|ねじり"), unless=words(HOLLOW, _NOTCH, r"\bspring|feder|ばね"),
     ),
@@ -294,7 +316,8 @@ STRENGTH: tuple[Quantity, ...] = (
         "second moment of area of a hollow round section", letters("I J"), _AREA_MOMENT,
         (PI * _ANNULUS / 64, PI * (outer_radius**4 - inner_radius**4) / 4), ("factor", "power", "edit"),
         others=(PI * _ANNULUS / 32, PI * (outer_radius**4 - inner_radius**4) / 2),
-        only=_BORED, unless=words(_NO_ANNULUS.pattern, r"polar|極|torsion|ねじり"),
+        only=_BORED, unless=words(_NO_ANNULUS.pattern, _ABOUT_DIAMETER.pattern, r"polar|極|torsion"
+                                                                                r"|ねじり"),
     ),
     Quantity(
         "polar section modulus of a hollow round section", letters("W Z"), _POLAR_MODULUS,
@@ -334,7 +357,9 @@ STRENGTH: tuple[Quantity, ...] = (
     Quantity(
         "equivalent stress by von Mises's hypothesis", letters("sigma"), _EQUIVALENT,
         (root(stress**2 + 3 * shearing**2),), ("root", "term"),
-        mistakes=tuple(root(stress**2 + n * shearing**2) for n in (4, 2, 1)),
+        mistakes=(*(root(stress**2 + n * shearing**2) for n in (4, 2, 1)),
+                root(3 * stress**2 + shearing**2),
+                  stress + root(number(3)) * shearing, stress + 3 * shearing),
         only=_BY_DISTORTION,
         unless=words(r"tresca|guest|maximum shear|schubspannungshypothese|最大せん断|rankine"
                      r"|normalspannungs|トレスカ|\bSH\b|saint.venant|\bbach"),
@@ -361,6 +386,8 @@ STRENGTH: tuple[Quantity, ...] = (
         "equivalent bending moment", letters("M"),
         words(r"equivalent\s+bending\s+moment", r"ideelles?\s+biegemoment", r"相当曲げモーメント"),
         ((bending + root(bending**2 + torque**2)) / 2,), ("factor", "edit"),
+        mistakes=(root(bending**2 + torque**2) / 2, (torque + root(bending**2 + torque**2)) / 2,
+                  (bending + root(bending**2 + 4 * torque**2)) / 2),
         others=(root(bending**2 + 3 * torque**2 / 4), root(bending**2 + torque**2),
                 3 * bending / 8 + 5 * root(bending**2 + torque**2) / 8),
         unless=words(r"von mises|gestaltänderung|distortion|ミーゼス"),
@@ -378,9 +405,57 @@ STRENGTH: tuple[Quantity, ...] = (
               r"(?:フープ|円周|周方向)応力"),
         (pressure * diameter / (2 * wall), pressure * radius / wall), ("power",),
         mistakes=(pressure * diameter / (4 * wall), pressure * diameter / wall,
+                  2 * pressure * diameter / wall, pressure * wall / (2 * diameter),
                   pressure * radius / (2 * wall)),
         unless=words(r"spher|kugel|球|thick-walled|dickwandig|厚肉|rotating|joint|efficiency"
         r"|centrifugal"),
+    ),
+    Quantity(
+        "hoop stress at the bore of a thick cylinder", letters("sigma"),
+        words(r"hoop\s+stress", r"circumferential\s+stress", r"(?:umfangs|tangential)spannung",
+              r"tensi[oó]n\s+(?:circunferencial|tangencial)", r"tensione\s+circonferenziale",
+              r"contrainte\s+(?:circonférentielle|orthoradiale|tangentielle)",
+              r"stress\s+(?:circonférentielle|orthoradiale|tangentielle|circonferenziale|circunferencial)",
+              r"(?:フープ|円周|周方向)応力"),
+        (pressure * (outer_radius**2 + inner_radius**2) / (outer_radius**2 - inner_radius**2),
+         pressure * (outer**2 + inner**2) / (outer**2 - inner**2)),
+        ("edit",),
+        mistakes=tuple(
+            each
+            for a, b in ((inner_radius, outer_radius), (inner, outer))
+            for each in (
+                pressure * (b**2 - a**2) / (b**2 + a**2), 2 * pressure * a**2 / (b**2 - a**2),
+                pressure * (b + a) / (b - a), pressure * b**2 / (b**2 - a**2),
+                -pressure * (b**2 + a**2) / (b**2 - a**2),
+            )
+        ),
+        only=both(words(r"thick[- ](?:walled\s+)?(?:cylinder|tube|pipe|wall)|thick\s+cylinder|lamé"
+                        r"|dickwandig|厚肉"
+                        r"|pared gruesa|parete spessa|paroi épaisse|épais"),
+                  words(r"\binner|\binside|\bbore\b|\binterior|intérieur|interna?\b|innen|内面|内壁")),
+        unless=words(r"outer\s+(?:surface|fibre|wall)|at\s+the\s+outside|außen(?:seite|wand|rand)|external\s+pressure"
+                     r"|außendruck|shrink|schrump|外面|外圧|radial\s+stress|\bmean\b|average|mittlere"),
+        is_told_once=True,
+    ),
+    Quantity(
+        "bending stress of a plate bent across its thickness", letters("sigma"),
+        words(_BENDING_STRESS.pattern, r"\bstress(?:es)?", r"spannung", r"応力", r"contrainte",
+                r"tensione"),
+        (6 * bending / (width * wall**2), bending * wall / 2 / (width * wall**3 / 12)), ("factor",
+                "power"),
+        mistakes=(6 * bending / (width**2 * wall), bending / (6 * width * wall**2)),
+        only=both(_RECTANGLE, words(
+            r"(?:direction|sense)\s+of\s+(?:its|the)\s+thickness|across\s+(?:its|the)\s+thickness|parallel\s+to\s+the\s+"
+            r"(?:side|width|breadth)|flat-?wise|in\s+dickenrichtung|über\s+die\s+dicke|厚さ方向")),
+        is_told_once=True, unless=words(_NOT_RECTANGLE, r"equivalent|vergleich|相当|plasti"
+                                                        r"|edge-?wise|hochkant"),
+    ),
+    Quantity(
+        "axial second moment of area of a hollow round section", letters("I J"), _AREA_MOMENT,
+        (PI * _ANNULUS / 64, PI * (outer_radius**4 - inner_radius**4) / 4), ("factor", "power", "edit"),
+        mistakes=(PI * _ANNULUS / 32,),
+        only=both(_BORED, _ABOUT_DIAMETER),
+        unless=words(_NO_ANNULUS.pattern, r"polar|極|torsion|ねじり"),
     ),
     Quantity(
         "bending moment of a cantilever with a load at its end", letters("M"), _BENDING_MOMENT,
@@ -470,7 +545,11 @@ STRENGTH: tuple[Quantity, ...] = (
     Quantity(
         "equivalent length of a shaft", letters("l L ell"),
         words(r"(?:equivalent|reduced)\s+length", r"reduzierte\s+(?:wellen)?länge", r"ersatzlänge",
-              r"(?:相当|換算|等価)(?:軸)?長さ?"),
+              r"(?:相当|換算|等価)(?:軸)?長さ?",
+              r"twists?\s+as\s+(?:much|far)\s+as\s+(?:an?|the)\s[^.]{0,80}\blength",
+              r"same\s+(?:angle\s+of\s+)?twist\s[^.]{0,80}\blength",
+              r"verdreht\s+sich\s+(?:eben)?so\s+(?:stark|viel|weit)\s+wie\s[^.]{0,80}länge",
+              r"ebenso\s+nachgiebig\w*\s[^.]{0,80}länge", r"(?:同じ|等しい)ねじれ[^。]{0,40}長さ"),
         (own_length * (diameter / own_diameter) ** 4, length * (diameter / own_diameter) ** 4,
          first_length + own_length * (first_diameter / own_diameter) ** 4,
          own_length * section / second_section, length * section / second_section),

@@ -38,18 +38,19 @@ from symbalance.notes.checking.meant.catalogue.shaft_roles import (
     windings,
     wire,
 )
+from symbalance.notes.checking.meant.catalogue.strength import both
 from symbalance.notes.checking.meant.catalogue.vibration import NATURAL_WORDS
 
 _BOTH = first_inertia * second_inertia
 _TOGETHER = first_inertia + second_inertia
 _FREE = root(stiffness * _TOGETHER / _BOTH)
-_NOT_FREE = tuple(
+_NOT_FREE = (root(2 * stiffness * _TOGETHER / _BOTH), *(
     root(node)
     for node in (
         stiffness / _TOGETHER, stiffness * _BOTH / _TOGETHER, stiffness * _TOGETHER, stiffness / _BOTH,
         _TOGETHER / (stiffness * _BOTH), _BOTH / (stiffness * _TOGETHER),
     )
-)  # fmt: skip
+))  # fmt: skip
 _TWO_DISCS = words(
     r"\b(?:two|both)\s+(?:\w+\s+){0,2}(?:dis[ck]s|rotors?|inertias|flywheels|wheels|masses)",
     r"two[- ](?:mass|rotor|dis[ck]|inertia)", r"free[- ]free",
@@ -58,11 +59,12 @@ _TWO_DISCS = words(
     r"|диск)",
 )  # fmt: skip
 _HELD = words(
-    r"clamped|eingespannt|\bfixed\b|rigid|starr|固定|\bthree|\bdrei|\b3 |(?<!un)damped|(?<!un)gedämpf"
+    r"clamped|eingespannt|\bfixed\b|rigid(?![- ]body)|starr(?!körper)|固定|\bthree|\bdrei|\b3 "
+    r"|(?<!un)damped|(?<!un)gedämpf"
     r"|減衰|pendul|in phase"
     r"|gear|getriebe|spring of the mount|translat|same (?:side|end)"
 )
-_FREQUENCY = words(
+FREQUENCY_WORDS = words(
     NATURAL_WORDS.pattern, r"\bfrequenc(?:y|ies)", r"\bfrequenz", r"振動数", r"固有频率", r"固有角频率",
     r"частот\w+", r"fréquence propre", r"frecuencia natural", r"frequenza propria", r"pulsation propre",
 )  # fmt: skip
@@ -77,13 +79,24 @@ _WHIRLING = words(
     r"|\bsag|たわみ|ふれまわ|振れ回|曲げ|deflects"
 )
 _DUNKERLEY = words(r"dunkerley|ダンカレー|ダンカリー")
-_CRITICAL = words(
+CRITICAL_WORDS = words(
     r"critical\s+(?:whirling\s+|angular\s+|shaft\s+)?(?:speeds?|frequency)", r"whirling\s+speed",
     r"(?:biege)?kritischen?\s+(?:winkelgeschwindigkeit|drehzahl|kreisfrequenz|frequenz)",
     r"危険(?:角)?速度",
     r"危険回転数", r"whirls?\b", r"lowest\s+(?:natural\s+)?frequency",
 )  # fmt: skip
 _PER_MINUTE = 30 / PI
+_NO_BENDING = words(r"torsional|drehschwing|ねじり|damp|order|ordnung|次")
+_BY_MINUTE = words(
+    r"r(?:ev|ounds)?/min|\brpm|per\s+min(?:ute)?\b|by\s+minute|1/min|min\^?\{?-1|min⁻¹|pro\s+minute|je\s+minute|毎分"
+)
+_BY_SECOND = words(r"r(?:ev)?/s\b|per\s+second|by\s+second|\bhertz\b|\bhz\b|1/s\b|pro\s+sekunde|毎秒")
+_NOT_TURNS = (
+    2 * _PER_MINUTE * root(stiffness / mass), 60 * root(stiffness / mass), root(stiffness * mass),
+    2 * _PER_MINUTE * root(gravity / static_deflection), root(gravity * static_deflection),
+    _PER_MINUTE / 30 * root(stiffness / mass), root(gravity / static_deflection) / _PER_MINUTE,
+    root(stiffness / mass) / _PER_MINUTE, _PER_MINUTE * root(static_deflection / gravity),
+)  # fmt: skip
 _CHAIN2 = 1 / first_speed**2 + 1 / second_speed**2
 _CHAIN3 = _CHAIN2 + 1 / third_speed**2
 _ADDED2 = 1 / first_speed + 1 / second_speed
@@ -91,7 +104,7 @@ _ADDED3 = _ADDED2 + 1 / third_speed
 _COILED = words(
     r"helical|coil|\bwire|\bturns\b|schraubenfeder|druckfeder|ventilfeder|windung|valve spring|コイル|巻"
 )
-_GEARED = words(r"gear|getriebe|übersetz|歯車|減速|変速|speed ratio|ratio of (?:the )?speeds")
+GEARED = words(r"gear|getriebe|übersetz|歯車|減速|変速|speed ratio|ratio of (?:the )?speeds")
 
 
 def _on_mounts(number: int) -> tuple[Quantity, ...]:
@@ -107,12 +120,12 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
     return (
         Quantity(
             f"natural angular frequency on {number} equal springs", letters("omega Omega w p"),
-            _FREQUENCY, (every,), ("turn", "root"), mistakes=wrong, others=(root(stiffness / mass),),
+            FREQUENCY_WORDS, (every,), ("turn", "root"), mistakes=wrong, others=(root(stiffness / mass),),
             only=only, unless=unless,
         ),
         Quantity(
             f"natural frequency in cycles on {number} equal springs", letters("f nu"),
-            _FREQUENCY, (every / (2 * PI),), ("turn", "root"),
+            FREQUENCY_WORDS, (every / (2 * PI),), ("turn", "root"),
             mistakes=tuple(node / (2 * PI) for node in wrong), others=(root(stiffness / mass) / (2
             * PI),),
             only=only, unless=unless,
@@ -128,20 +141,21 @@ def _on_mounts(number: int) -> tuple[Quantity, ...]:
 
 TRAINS: tuple[Quantity, ...] = (
     Quantity(
-        "natural angular frequency of two discs on a shaft", letters("omega Omega w p"), _FREQUENCY,
-        (_FREE,), ("root", "turn"), mistakes=_NOT_FREE, only=_TWO_DISCS, unless=_HELD, is_told_once=True,
+        "natural angular frequency of two discs on a shaft", letters("omega Omega w p"), FREQUENCY_WORDS,
+        (_FREE,), ("root", "turn", "minus"), mistakes=_NOT_FREE, only=_TWO_DISCS, unless=_HELD,
+        is_told_once=True,
         context=words(r"torsion|two[- ](?:mass|dis[ck])|zweimassen|drehschwing|stiffness|steif"
                       r"|ねじり|node|knoten"),
         indices=letters("0 e n 1 2"),
     ),
     Quantity(
-        "natural frequency in cycles of two discs on a shaft", letters("f nu n F"), _FREQUENCY,
+        "natural frequency in cycles of two discs on a shaft", letters("f nu n F"), FREQUENCY_WORDS,
         (_FREE / (2 * PI),), ("root", "turn"), mistakes=tuple(node / (2 * PI) for node in _NOT_FREE),
         only=_TWO_DISCS, unless=_HELD,
     ),
     *(quantity for number in _NUMBERS for quantity in _on_mounts(number)),
     Quantity(
-        "natural frequency in cycles by the static deflection", letters("f nu"), _FREQUENCY,
+        "natural frequency in cycles by the static deflection", letters("f nu"), FREQUENCY_WORDS,
         (root(gravity / static_deflection) / (2 * PI),), ("turn", "root"),
         mistakes=(root(static_deflection / gravity) / (2 * PI),),
         only=words(r"static(?:al)? deflection|deflection under (?:its own|the) weight|\bsags?\b"
@@ -151,19 +165,39 @@ TRAINS: tuple[Quantity, ...] = (
         unless=words(r"pendul|pendel|振り子|(?<!un)damp|(?<!un)gedämpf|減衰"),
     ),
     Quantity(
-        "critical speed of bending of a shaft", letters("n N omega Omega f w"), _CRITICAL,
-        (root(stiffness / mass), _PER_MINUTE * root(stiffness / mass), root(stiffness / mass) / (2 * PI),
-         root(gravity / static_deflection), _PER_MINUTE * root(gravity / static_deflection),
-         root(gravity / static_deflection) / (2 * PI)),
+        "critical speed of bending of a shaft", letters("omega Omega w"), CRITICAL_WORDS,
+        (root(stiffness / mass), root(gravity / static_deflection)), ("root", "turn"),
+        mistakes=(_PER_MINUTE * root(gravity / static_deflection), root(gravity * static_deflection),
+                  root(stiffness * mass), _PER_MINUTE / 30 * root(stiffness / mass),
+                  root(gravity / static_deflection) / _PER_MINUTE, root(stiffness / mass) / _PER_MINUTE),
+        only=_WHIRLING, unless=_NO_BENDING,
+    ),
+    Quantity(
+        "critical speed of bending of a shaft in turns", letters("n N f"), CRITICAL_WORDS,
+        (_PER_MINUTE * root(stiffness / mass), root(stiffness / mass) / (2 * PI),
+         _PER_MINUTE * root(gravity / static_deflection), root(gravity / static_deflection) / (2 * PI)),
+        ("root", "turn"), mistakes=_NOT_TURNS, only=_WHIRLING,
+        unless=words(_NO_BENDING.pattern, _BY_MINUTE.pattern, _BY_SECOND.pattern),
+    ),
+    Quantity(
+        "critical speed of bending of a shaft in turns per minute", letters("n N f"), CRITICAL_WORDS,
+        (_PER_MINUTE * root(stiffness / mass), _PER_MINUTE * root(gravity / static_deflection)),
         ("root", "turn"),
-        mistakes=(2 * _PER_MINUTE * root(stiffness / mass), 60 * root(stiffness / mass),
-                  2 * _PER_MINUTE * root(gravity / static_deflection), root(gravity * static_deflection),
-                  root(stiffness * mass), _PER_MINUTE / 30 * root(stiffness / mass)),
-        only=_WHIRLING, unless=words(r"torsional|drehschwing|ねじり|damp|order|ordnung|次"),
+        mistakes=(*_NOT_TURNS, root(stiffness / mass) / (2 * PI),
+        root(gravity / static_deflection) / (2 * PI)),
+        only=both(_WHIRLING, _BY_MINUTE), unless=words(_NO_BENDING.pattern, _BY_SECOND.pattern),
+    ),
+    Quantity(
+        "critical speed of bending of a shaft in turns per second", letters("n N f"), CRITICAL_WORDS,
+        (root(stiffness / mass) / (2 * PI), root(gravity / static_deflection) / (2 * PI)), ("root",
+        "turn"),
+        mistakes=(*_NOT_TURNS, _PER_MINUTE * root(stiffness / mass),
+                  _PER_MINUTE * root(gravity / static_deflection)),
+        only=both(_WHIRLING, _BY_SECOND), unless=words(_NO_BENDING.pattern, _BY_MINUTE.pattern),
     ),
     Quantity(
         "critical speed of two discs by Dunkerley", letters("n N omega Omega f"),
-        words(_CRITICAL.pattern, _FREQUENCY.pattern, _DUNKERLEY.pattern),
+        words(CRITICAL_WORDS.pattern, FREQUENCY_WORDS.pattern, _DUNKERLEY.pattern),
         (1 / root(_CHAIN2), first_speed * second_speed / root(first_speed**2 + second_speed**2)),
         ("edit",),
         mistakes=(1 / _ADDED2, root(_CHAIN2), _CHAIN2, _ADDED2, root(first_speed**2 + second_speed**2),
@@ -172,7 +206,7 @@ TRAINS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "critical speed of three discs by Dunkerley", letters("n N omega Omega f"),
-        words(_CRITICAL.pattern, _FREQUENCY.pattern, _DUNKERLEY.pattern),
+        words(CRITICAL_WORDS.pattern, FREQUENCY_WORDS.pattern, _DUNKERLEY.pattern),
         (1 / root(_CHAIN3),), ("edit",),
         mistakes=(1 / _ADDED3, root(_CHAIN3), _CHAIN3, _ADDED3,
                   root(first_speed**2 + second_speed**2 + third_speed**2), 1 / root(_ADDED3)),
@@ -185,7 +219,7 @@ TRAINS: tuple[Quantity, ...] = (
         (gear_ratio**2 * inertia, inertia / gear_ratio**2), (),
         mistakes=(gear_ratio * inertia, inertia / gear_ratio, root(gear_ratio) * inertia,
                   gear_ratio**4 * inertia),
-        only=_GEARED, unless=words(r"three|drei|efficien|wirkungsgrad|torque|drehmoment(?!e?n?trägheit)"),
+        only=GEARED, unless=words(r"three|drei|efficien|wirkungsgrad|torque|drehmoment(?!e?n?trägheit)"),
     ),
     Quantity(
         "torsional stiffness reduced over a gear", letters("c k C K"),
@@ -194,7 +228,7 @@ TRAINS: tuple[Quantity, ...] = (
         (gear_ratio**2 * stiffness, stiffness / gear_ratio**2), (),
         mistakes=(gear_ratio * stiffness, stiffness / gear_ratio, root(gear_ratio) * stiffness,
                   gear_ratio**4 * stiffness),
-        only=_GEARED, unless=words(r"three|drei|mesh|zahnsteif"),
+        only=GEARED, unless=words(r"three|drei|mesh|zahnsteif"),
     ),
     Quantity(
         "next amplitude of a Holzer table",
@@ -218,7 +252,8 @@ TRAINS: tuple[Quantity, ...] = (
         r"feder(?:rate|konstante|steifigkeit)",
               r"ばね定数"),
         (shear * wire**4 / (8 * windings * coil**3),), ("power", "factor"),
-        mistakes=(shear * wire**4 / (8 * windings**2 * coil**3),),
+        mistakes=(shear * wire**4 / (8 * windings**2 * coil**3),
+        shear * wire**3 / (8 * windings * coil**4)),
         only=_COILED, unless=words(r"parallel|series|reihe|two springs|nested|radius|torsion spring"
         r"|drehfeder"),
     ),

@@ -311,7 +311,7 @@ _UPRIGHT_V: tuple[Quantity, ...] = (
         "moment of the counterweight of a V-twin at 90°", letters("· U D u"),
         words(r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"gegengewichte?s?", r"contrepoids",
             r"ausgleich", r"カウンタ(?:ー)?ウェイト", r"(?:釣り?合い|つりあい)(?:おもり|錘)"),
-        (mass * pin, (rotating + reciprocating) * pin, (rotating + mass) * pin), ("edit",),
+        (mass * pin, (rotating + reciprocating) * pin, (rotating + mass) * pin), ("edit", "part"),
         others=((rotating + 2 * reciprocating) * pin,),
         mistakes=(2 * mass * pin, mass * pin / 2, (rotating + reciprocating / 2) * pin,
                   (rotating + mass / 2) * pin),
@@ -324,4 +324,61 @@ _UPRIGHT_V: tuple[Quantity, ...] = (
     ),
 )  # fmt: skip
 
-TWO_CYLINDERS: tuple[Quantity, ...] = (*_GENERAL, *_by_angle(), *_HALVES, *_UPRIGHT_V)
+_ANGLES = letters(
+    "alpha beta gamma delta epsilon phi varphi theta psi chi A B Delta_phi Delta_varphi Delta_theta"
+)
+_FIRES = words(r"\bfir(?:es?|ing)\b|ignit|zünd|allumage|accension|scopp|encendid|explosi|点火|爆発|着火")
+_FOUR_STROKE = words(
+    r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル|quatre temps"
+    r"|quattro tempi|cuatro tiempos"
+)
+_ONE_PIN = words(
+    r"one\s+(?:crank\s?)?pin|single\s+(?:crank\s?)?pin|(?:common|shared|same)\s+(?:crank\s?)?pin"
+    r"|one crank\b"
+    r"|(?:einem|gemeinsame[rnm]*)\s+(?:hubzapfen|kurbelzapfen)|même maneton|(?:same|common|shared"
+    r"|single|one|même|stess\w+|misma|unique|seul)\s+crank\s?pin|(?:seul|unique) maneton"
+    r"|maneton (?:unique|commun)"
+    r"|stess[oa]\s+(?:perno|manovella)|misma\s+muñequilla|crank pin common|一つのクランクピン"
+    r"|クランクピン共通"
+)
+_TURN, _THIRD = 2 * PI, 2 * PI / 3
+_FIRING: tuple[Quantity, ...] = (
+    Quantity(
+        "shorter firing interval of two cylinders on one pin", _ANGLES,
+        words(r"(?:the\s+)?short(?:er|est|)\s+(?:firing\s+)?(?:one"
+              r"|interval)", r"kürzere[rsnm]?(?:\s+zünd\w+)?",
+              r"plus\s+court", r"più\s+(?:corto|breve)", r"más\s+corto", r"短い(?:方の)?(?:点火|爆発"
+                                                                         r"|着火)?間隔|短い方"),
+        (_TURN - bank,), ("edit",), others=(_TURN + bank,),
+        mistakes=(PI - bank, _TURN - 2 * bank, 2 * _TURN - bank, _TURN - bank / 2),
+        only=both(_V_PAGE, _FIRES, _FOUR_STROKE, _ONE_PIN), is_told_once=True,
+        unless=words(r"offset|versetz|split|two pins|zwei hubzapfen|two[- ]stroke|zweitakt"
+                     r"|V\s?-?[4-9]|V\s?-?1[0-9]"),
+    ),
+    Quantity(
+        "longer firing interval of two cylinders on one pin", _ANGLES,
+        words(r"(?:the\s+)?long(?:er|est|)\s+(?:firing\s+)?(?:one"
+              r"|interval)", r"längere[rsnm]?(?:\s+zünd\w+)?",
+              r"plus\s+long", r"più\s+lungo", r"más\s+largo", r"長い(?:方の)?(?:点火|爆発|着火)?間隔"
+                                                              r"|長い方"),
+        (_TURN + bank,), ("edit",), others=(_TURN - bank,),
+        mistakes=(PI + bank, _TURN + 2 * bank, 2 * _TURN + bank, _TURN + bank / 2),
+        only=both(_V_PAGE, _FIRES, _FOUR_STROKE, _ONE_PIN), is_told_once=True,
+        unless=words(r"offset|versetz|split|two pins|zwei hubzapfen|two[- ]stroke|zweitakt"
+                     r"|V\s?-?[4-9]|V\s?-?1[0-9]"),
+    ),
+    Quantity(
+        "angle between the split pins of a V6 that fires evenly", _ANGLES,
+        words(r"(?:offset|splay|split|versatz|versetz\w*|décal\w+|sfals\w+|decalad\w+|desfas\w+|spread)[^.;=]{0,60}",
+              r"(?:pin|crank|throw)s?\s+(?:offset|angle)", r"位相差|オフセット"),
+        (_THIRD - bank,), ("edit",), others=(bank - _THIRD,),
+        mistakes=(PI - bank, PI / 3 - bank, _THIRD - bank / 2, _THIRD - 2 * bank, bank + PI / 3),
+        only=both(words(r"(?<![A-Za-z])V\s?-?6(?![0-9])|V-?Sechszyl|6気筒V|V型6気筒"), _FOUR_STROKE,
+                  words(r"evenly|even(?:ly)?[- ](?:spaced|firing)|equal\s+(?:firing\s+)?intervals"
+                        r"|gleichmäßig|equidist|régulièr|uniform|regolar"
+                        r"|equispa|等間隔")),
+        unless=words(r"two[- ]stroke|zweitakt|V\s?-?8|V\s?-?12"), is_told_once=True,
+    ),
+)  # fmt: skip
+
+TWO_CYLINDERS: tuple[Quantity, ...] = (*_GENERAL, *_by_angle(), *_HALVES, *_UPRIGHT_V, *_FIRING)

@@ -32,6 +32,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     tuning,
     words,
 )
+from symbalance.notes.checking.meant.catalogue.vibration_roles import shaft_length
 
 _NATURAL = (
     root(stiffness / inertia), root(stiffness / mass),
@@ -64,7 +65,8 @@ VIBRATION: tuple[Quantity, ...] = (
         r"固有(?:振動数|周波数)",
                r"frequency of (?:the )?(?:free )?(?:torsional )?(?:vibration|oscillation)s?"),
         (*(node / (2 * PI) for node in _NATURAL[:3]), omega / (2 * PI)),
-        slips=("root", "turn"), context=words(_VIBRATION), indices=letters("0 1 e n d eig E nat k"),
+        slips=("root", "turn"), mistakes=tuple(node / PI for node in _NATURAL[:3]),
+        context=words(_VIBRATION), indices=letters("0 1 e n d eig E nat k"),
         unless=words(r"damp|gedämpf|減衰|pendul|pendel|振り子"),
     ),
     Quantity(
@@ -122,17 +124,21 @@ VIBRATION: tuple[Quantity, ...] = (
     Quantity(
         "critical damping", letters("d c b r k"),
         words(r"critical\s+damping(?:\s+(?:constant|coefficient))?", r"kritische\s+dämpfung\w*",
-              r"臨界減衰(?:係数)?"),
+              r"臨界減衰(?:係数)?", r"aperiodische\w*\s+grenzfall\w*", r"aperiodic\s+limit",
+              r"critically\s+damped",
+              r"ceases?\s+to\s+oscillate|just\s+(?:no\s+longer|not)\s+oscillat\w+", r"臨界減衰となる"),
         (2 * root(mass * stiffness), 2 * mass * omega, 2 * root(inertia * stiffness),
         2 * inertia * omega),
         ("factor", "power", "root"),
+        mistakes=(root(2 * mass * stiffness), root(2 * inertia * stiffness)),
     ),
     Quantity(
         "logarithmic decrement", letters("Lambda delta vartheta theta"),
         words(r"log(?:arithmic|\.)?\s+decrement", r"logarithmisches?\s+dekrement", r"対数減衰率"),
         (2 * PI * damping_ratio / root(1 - damping_ratio**2), decay * period),
         ("factor", "edit"), others=(2 * PI * damping_ratio, decay / frequency),
-        mistakes=(PI * damping_ratio,),
+        mistakes=(PI * damping_ratio, 2 * PI * damping_ratio * root(1 - damping_ratio**2),
+                  2 * PI * damping_ratio / (1 - damping_ratio**2)),
     ),
     Quantity(
         "magnification of a forced vibration", letters("V M alpha mu beta Q R"),
@@ -142,7 +148,10 @@ VIBRATION: tuple[Quantity, ...] = (
         (1 / root((1 - tuning**2) ** 2 + 4 * damping_ratio**2 * tuning**2),
          1 / root((1 - tuning**2) ** 2 + (2 * damping_ratio * tuning) ** 2), 1 / (1 - tuning**2)),
         ("edit",),
-        mistakes=(1 / ((1 - tuning**2) ** 2 + 4 * damping_ratio**2 * tuning**2), 1 / (1 - tuning)),
+        mistakes=(1 / ((1 - tuning**2) ** 2 + 4 * damping_ratio**2 * tuning**2), 1 / (1 - tuning),
+                  1 / root((1 - tuning**2) ** 2 + 2 * damping_ratio * tuning**2),
+                  1 / root((1 - tuning**2) ** 2 + damping_ratio**2 * tuning**2),
+                  1 / root((1 - tuning**2) ** 2 + 2 * damping_ratio * tuning)),
         others=(1 / (tuning**2 - 1), tuning**2 / (1 - tuning**2), tuning**2 / (tuning**2 - 1),
                 tuning**2 / root((1 - tuning**2) ** 2 + 4 * damping_ratio**2 * tuning**2),
                 root(1 + 4 * damping_ratio**2 * tuning**2)
@@ -176,10 +185,13 @@ VIBRATION: tuple[Quantity, ...] = (
         "distance of the node of two discs", letters("a l x s L"),
         words(r"(?:position|distance|place)\s+of\s+(?:the|its)\s+node",
               r"\bnode(?:\s+(?:is|lies|sits|has))?\s+(?:then\s+)?at(?:\s+(?:the|a)\s+distance)?",
-              r"\bnode\s+(?:\w+\s+){0,5}distance",
+              r"\bnode\s+(?:[\w-]+\s+){0,8}distance",
               r"lage\s+des\s+(?:schwingungs)?knotens", r"abstand\s+des\s+(?:schwingungs)?knotens",
               r"節(?:の位置|までの距離)"),
         (length * other_inertia / (own_inertia + other_inertia),), ("edit", "exchange"),
+        mistakes=(shaft_length * other_inertia / own_inertia, shaft_length * own_inertia / other_inertia,
+                  shaft_length * (own_inertia + other_inertia) / other_inertia,
+                  shaft_length * other_inertia / (own_inertia - other_inertia)),
         together=(("", "own_inertia"),),
         unless=words(r"three|drei|三|3つ|from\s+(?:the\s+)?(?:second|right|dis[ck]\s+\$?[2B])"
                      r"|von\s+(?:der\s+)?(?:zweiten|rechten|scheibe\s+\$?2)"),

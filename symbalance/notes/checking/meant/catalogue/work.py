@@ -44,11 +44,17 @@ _CYCLES = (
     r"|nockenwelle"
     r"|仕事回数"
 )
-_PER_TURN = r"per (?:turn|revolution)|je umdrehung|pro umdrehung|1回転"
+_PER_TURN = (
+    r"per (?:turn|revolution)|(?<!no )\bwork\b[^.;=]{0,24}?\s(?:in|of|during|over) (?:one|a|each|every)"
+    r" (?:single )?(?:turn|revolution)"
+    r"|(?:je|pro|in einer|jeder) umdrehung|par tour|por vuelta|per giro|[1一]回転"
+)
 _MEAN_TORQUE = words(
-    r"(?:mean|average)\s+(?:engine\s+)?torque", r"\btorque", r"mittleres?\s+(?:dreh)?moment",
+    r"(?:mean|average)\s+(?:(?:engine|brake|indicated|effective|useful|shaft)\s+)*torque", r"\btorque",
+    r"torque\s+(?:mean|average|medi[oa]|moyen)", r"mittleres?\s+(?:(?:effektives"
+    r"|indiziertes)\s+)?(?:dreh)?moment",
     r"dreh-?moment",
-    r"平均トルク", r"トルク", r"couple\s+moyen", r"par\s+medio",
+    r"平均(?:軸|正味|図示)?トルク", r"トルク", r"couple\s+moyen", r"par\s+medio",
 )  # fmt: skip
 _MEAN_PRESSURE = words(
     r"(?:brake\s+|indicated\s+)?mean\s+(?:effective\s+)?pressure", r"\b[bi]?mep\b",
@@ -70,6 +76,14 @@ _IRREGULARITY = words(
     r"coefficient\s+d'irrégularité",
     r"回転不整率",
 )
+_TORQUE_MISTAKES = (
+    4 * PI * pressure * volume, 2 * PI * pressure * volume, 4 * PI * pressure / volume,
+    2 * PI * pressure / volume, pressure / (4 * PI * volume), pressure / (2 * PI * volume),
+)  # fmt: skip
+_PRESSURE_MISTAKES = (
+    4 * PI * volume / torque, 2 * PI * volume / torque, torque / (4 * PI * volume),
+    torque / (2 * PI * volume), 4 * PI * torque * volume, 2 * PI * torque * volume,
+)  # fmt: skip
 
 
 WORK: tuple[Quantity, ...] = (
@@ -121,8 +135,14 @@ WORK: tuple[Quantity, ...] = (
     Quantity(
         "degree of irregularity", letters("delta C epsilon"),
         _IRREGULARITY,
-        ((omega_high - omega_low) / omega, swing / (inertia * omega**2)),
-        slips=("bare factor", "power", "minus"), others=((omega_high - omega_low) / (2 * omega),),
+        ((omega_high - omega_low) / omega, swing / (inertia * omega**2),
+         2 * (omega_high - omega_low) / (omega_high + omega_low)),
+        slips=("bare factor", "power", "minus", "part"), others=((omega_high - omega_low) / (2 * omega),),
+        mistakes=((omega_high - omega_low) / (2 * (omega_high + omega_low)),
+                  (omega_high + omega_low) / (omega_high - omega_low),
+                  2 * (omega_high + omega_low) / (omega_high - omega_low),
+                  2 * (omega_high**2 - omega_low**2) / (omega_high + omega_low),
+                  (omega_high - omega_low) / (omega_high + omega_low)),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb"),
     ),
     Quantity(
@@ -132,6 +152,7 @@ WORK: tuple[Quantity, ...] = (
          cycle_work / (4 * PI), cycle_work * cylinders / (4 * PI),
          power / omega, power / (2 * PI * rotation)),
         ("factor", "turn", "power"), only=FOUR, unless=words(TWO.pattern, _PER_TURN), is_told_once=True,
+        mistakes=_TORQUE_MISTAKES,
     ),
     Quantity(
         "mean torque of a two-stroke engine", letters("T M"), _MEAN_TORQUE,
@@ -140,24 +161,28 @@ WORK: tuple[Quantity, ...] = (
          cycle_work / (2 * PI), cycle_work * cylinders / (2 * PI),
          power / omega, power / (2 * PI * rotation)),
         ("factor", "turn", "power"), only=TWO, unless=words(FOUR.pattern, _PER_TURN), is_told_once=True,
+        mistakes=_TORQUE_MISTAKES,
     ),
     Quantity(
         "mean effective pressure of a four-stroke engine", letters("p P"), _MEAN_PRESSURE,
         (4 * PI * torque / volume, 4 * PI * torque / (volume * cylinders),
         2 * power / (volume * rotation),
-         2 * power / (volume * rotation * cylinders), 120 * power / (volume * rotation)),
+         2 * power / (volume * rotation * cylinders), 120 * power / (volume * rotation),
+         4 * power / (area * velocity)),
         ("factor", "turn", "power"), only=FOUR, unless=words(TWO.pattern, _PER_TURN), is_told_once=True,
+        mistakes=_PRESSURE_MISTAKES,
     ),
     Quantity(
         "mean effective pressure of a two-stroke engine", letters("p P"), _MEAN_PRESSURE,
         (2 * PI * torque / volume, 2 * PI * torque / (volume * cylinders), power / (volume * rotation),
-         power / (volume * rotation * cylinders), 60 * power / (volume * rotation)),
+         power / (volume * rotation * cylinders), 60 * power / (volume * rotation),
+         2 * power / (area * velocity)),
         ("bare factor", "turn", "power"), only=TWO, unless=words(FOUR.pattern, _PER_TURN),
-        is_told_once=True,
+        is_told_once=True, mistakes=_PRESSURE_MISTAKES,
     ),
     Quantity(
         "mean effective pressure by the work of a cycle", letters("p P"), _MEAN_PRESSURE,
-        (swing / volume,), ("power",),
+        (swing / volume,), ("bare factor", "power"),
         unless=words(r"per (?:turn|revolution)|je umdrehung"),
     ),
     Quantity(
@@ -168,6 +193,9 @@ WORK: tuple[Quantity, ...] = (
          pressure * volume * rotation * cylinders * efficiency / 2,
          pressure * volume * omega / (4 * PI),
          pressure * area * stroke * rotation / 2, pressure * area * stroke * rotation * cylinders / 2,
+         pressure * area * stroke * rotation / 120, pressure * area * stroke * rotation * cylinders / 120,
+         pressure * area * velocity / 4, pressure * area * velocity * cylinders / 4,
+         pressure * area * velocity * efficiency / 4,
          swing * rotation / 2, swing * rotation / 120, torque * omega, 2 * PI * rotation * torque,
          PI * rotation * torque / 30),
         ("factor", "turn", "power"), only=FOUR,
@@ -181,6 +209,9 @@ WORK: tuple[Quantity, ...] = (
          pressure * volume * rotation * efficiency, pressure * volume * rotation * cylinders * efficiency,
          pressure * volume * omega / (2 * PI),
          pressure * area * stroke * rotation, pressure * area * stroke * rotation * cylinders,
+         pressure * area * stroke * rotation / 60, pressure * area * stroke * rotation * cylinders / 60,
+         pressure * area * velocity / 2, pressure * area * velocity * cylinders / 2,
+         pressure * area * velocity * efficiency / 2,
          swing * rotation, swing * rotation / 60),
         ("bare factor", "turn", "power"), only=TWO,
         unless=words(FOUR.pattern, _CYCLES, r"double[- ]acting|doppeltwirk|複動"), is_told_once=True,

@@ -41,15 +41,27 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute, with_every
+from symbalance.notes.checking.meant.engines.banks_in_words import (
+    BankAngle,
+    angle_in,
+    direction_in,
+    is_a_size,
+    names_an_angle,
+)
 from symbalance.notes.checking.meant.engines.engine_claims import FORCE, EngineClaim
 from symbalance.notes.checking.meant.engines.engine_letters import (
     FIRST_TERMS,
     Parts,
     mended,
+    number_node,
     same,
 )
 from symbalance.notes.checking.meant.engines.engine_resultants import EngineResultants
-from symbalance.notes.checking.meant.engines.order_indices import POWERS, wave_of
+from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_of, wave_of
+from symbalance.notes.checking.meant.engines.sizes_explained import (
+    without_balance_to_come,
+    without_masses_of_one,
+)
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.products import NoProductError, ProductOfPowers, product_of
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
@@ -84,8 +96,10 @@ _OF_MORE = re.compile(
     re.IGNORECASE,
 )
 _OF_LESS = re.compile(
-    r"\beach\b|\bper\s+(?:bank|cylinder|piston)|\bone\s+(?:bank|cylinder)|\bsingle|left\s+over|remain\w*\s+(?:after|of)|residu|counter-?weight"
-    r"|counterbalanc|gegengewicht|\bhal(?:f|b)|\bje\s+(?:zylinder|bank|seite)|\bje(?:der|des|dem|den)\b|eines\s+zylinders|\brest|after\s+balanc|offset|split|釣合いおもり|残",
+    r"\beach\b|\bper\s+(?:bank|cylinder|piston)|\bone\s+(?:bank|cylinder)|\bsingle|left\s+over"
+    r"|remain\w*\s+(?:after|of)|residu|counter-?weight"
+    r"|counterbalanc|gegengewicht|\bhal(?:f|b)(?!achs)(?!e[rns]? achs)(?!\s+ax)"
+    r"|\bje\s+(?:zylinder|bank|seite)|\bje(?:der|des|dem|den)\b|eines\s+zylinders|\brest|after\s+balanc|offset|split|釣合いおもり|残",
     re.IGNORECASE,
 )
 _FROM_ELSEWHERE = re.compile(
@@ -95,6 +109,19 @@ _FROM_ELSEWHERE = re.compile(
     re.IGNORECASE,
 )
 """Words by which the crank's angle is counted from one bank, or that of the banks from another line."""
+_RESULTANT = re.compile(
+    r"resultant|resultier|résultante|resultante|risultante|合力|\bsum\b|summe", re.IGNORECASE
+)
+_ALONE = re.compile(
+    r"\b(?:left|right|first|second|front|rear)\s+cylinder|\bdifferen|\btotal\s+(?:\w+\s+)?mass|gesamtmasse|linke[rn]?\s+zyl"
+    r"|together|combined|altogether|\ball\b|zusammen|insgesamt|ensemble|insieme|en conjunto|合計|両"
+    r"|[mM](?:_\w+)?\s?/\s?2"
+    r"|mass\w*\s+(?:of|der|des|delle?)\s+(?:both|beide|the\s+two|deux|due)|m[aá]s+\w*\s+total\w*|masse\s+totale"
+    r"|rotating\s+mass|rotierend\w*\s+mass|\bpercent|%|\bfraction|\banteil",
+    re.IGNORECASE,
+)
+"""Words for one of the two cylinders, or for other masses."""
+_RIGHT = 90
 _DEGREES = (
     r"(?<![0-9.,])(?P<{}>45|50|60|65|72|75|80|90|120)"
     r"\s?(?:°|º|&deg;|\^\s*\{{?\s*\\circ\s*\}}?|[\s-]?deg|\s?Grad|度)"
@@ -126,6 +153,18 @@ class _Component(NamedTuple):
     rounding: float
 
 
+class _Said(NamedTuple):
+    """What words say of a force of two banks: its order, direction and angle, and whether it is whole."""
+
+    order: int
+    direction: str
+    """The function of the crank angle in that direction; "" for a force of the same size in all."""
+    angle: BankAngle
+    degrees: int
+    words: str
+    may_refute: bool
+
+
 def component_factor(function: str, order: int, half: float) -> float:
     """Return what both pistons give along ("cos") or across ("sin"), over one cylinder's amplitude.
 
@@ -155,19 +194,155 @@ class BankResultants:
         claims = self.resultants.claims
         if head.name in knowledge.letters or not self._is_of_banks(chain, knowledge):
             return None
+        if _FROM_ELSEWHERE.search(claims.section(chain)):
+            return None
+        if (by_words := self._by_words(chain, knowledge)) is not None:
+            return by_words
         own = next(self._resolved(chain.sides[1], knowledge), None)
-        if own is None or _FROM_ELSEWHERE.search(claims.section(chain)):
+        if own is None:
             return None
         return (self._by_letter if own.bank else self._by_number)(chain, own, knowledge)
 
     def _is_of_banks(self, chain: Chain, knowledge: Knowledge) -> bool:
         """Tell whether the page speaks of banks, or has both components of an angle between them."""
-        if self.resultants.claims.engines.has_banks(0, len(self._text)):
+        is_named = self.resultants.claims.engines.has_banks(0, len(self._text))
+        if is_named or (_FROM_A_BISECTOR.search(self._text) and names_an_angle(self._text)):
             return True
         right = {
             (each.bank, each.wave.function) for each in self._others(chain, knowledge) if _is_right(each)
         }
         return any((bank, _OTHER[function]) in right for bank, function in right)
+
+    def _by_words(self, chain: Chain, knowledge: Knowledge) -> Verdict | Decision | None:
+        """Return the verdict by words that name order, direction and the angle between the banks."""
+        said = self._said(chain, knowledge)
+        node = without_dots(chain.sides[1].node)[0]
+        if said is None or not names(node):
+            return None
+        bank = said.angle.letter
+        rest, of_bank = _split(node, bank)
+        try:
+            product = self.resultants.letters.expanded(product_of(rest), "", knowledge)
+            factors = [_at(of_bank, bank, a) * abs(product.number) for a in _SAMPLES[: 3 if bank else 1]]
+        except NoProductError:
+            return None
+        claim = EngineClaim(NamedEngine(0, "", 2), said.order, FORCE, "", "", "", "")
+        parts = self.resultants.letters.parts(product, claim, knowledge)
+        is_of_bank = bool(of_bank) or not bank
+        is_other_wave = product.wave is not None and bank in names(product.wave)
+        if parts is None or "base" in parts.letter or not is_of_bank or (bank and is_other_wave):
+            return None
+        if product.wave is None and said.direction and not is_a_size(said.words):
+            return None
+        return self._weighed(chain, said, parts, product, factors)
+
+    def _weighed(
+        self, chain: Chain, said: _Said, parts: Parts, product: ProductOfPowers, factors: list[float]
+    ) -> Verdict | Decision | None:
+        """Return the verdict on a force of two banks whose order, direction and angle are known."""
+        first = 1.0 if parts.has_amplitude else float(FIRST_TERMS[said.order])
+        angles = _SAMPLES if said.angle.letter else (Fraction(1),)
+        halves = [said.angle.half * float(angle) for angle in angles]
+        usual = [abs(component_factor(said.direction or "cos", said.order, half)) for half in halves]
+        is_size = all(
+            same(abs(f) / first, u, product.rounding) for f, u in zip(factors, usual, strict=True)
+        )
+        is_wave = product.wave is None or product.wave.function == said.direction
+        if is_size and is_wave and not parts.slips and any(usual):
+            return Decision(PROVED, assumptions=(*self._words_taken(chain, said),))
+        if not any(usual) or not said.may_refute:
+            return None
+        return self._otherwise(chain, said, parts, product)
+
+    def _said(self, chain: Chain, knowledge: Knowledge) -> _Said | None:
+        """Return what words say of a force of two banks; None where they leave anything open."""
+        claims, name = self.resultants.claims, chain.sides[0].node
+        orders = claims.orders_before(chain)
+        sentence = claims.sentence(chain)
+        heading = claims.sections.heading_above(chain.lines[0])
+        section = claims.section(chain)
+        if len(orders) != 1 or not isinstance(name, Name):
+            return None
+        (order,) = orders
+        before, above = claims.words_before(chain)
+        words = before if direction_in(before) else f"{above} {before}"
+        letters = names(chain.sides[1].node)
+        angle = angle_in(section, letters)
+        number = 0 if angle is not None else self._angle_given(chain, knowledge)
+        number = number or (0 if angle is not None else self._angle_in_words(chain, letters))
+        if (angle is None and not number) or index_of(name.name) not in (0, order):
+            return None
+        direction = direction_in(words)
+        is_round = not angle and number == _RIGHT and order == 1 and not direction
+        is_round = is_round and _RESULTANT.search(words) is not None
+        if not direction and not is_round:
+            return None
+        is_middle = is_round or self._is_from_the_middle(chain, section, number, knowledge)
+        if not is_middle:
+            return None
+        own = without_balance_to_come(without_masses_of_one(f"{heading} {words} {sentence}"))
+        is_part = any(p.search(own) for p in (_OF_MORE, _OF_LESS, _ALONE))
+        angle = angle or BankAngle("", number * pi / 360)
+        return _Said(order, direction, angle, number, " ".join(words.split()), not is_part)
+
+    def _angle_in_words(self, chain: Chain, letters: frozenset[str]) -> int:
+        """Return the degrees between the banks that the words near a formula name; 0 for none."""
+        wave = Call("cos", Name("theta"))
+        waves = [p for p in walk(chain.sides[1].node) if isinstance(p, Call) and names(p)]
+        wave = waves[0] if waves else wave
+        return self._angle(chain, wave) if letters else 0
+
+    def _words_taken(self, chain: Chain, said: _Said) -> Iterator[str]:
+        name = chain.sides[0].node
+        letter = plain_letter(name.name) if isinstance(name, Name) else ""
+        where = _COMPONENT.get(said.direction, "as a whole")
+        source = f"{NOBODY}; taken from the words “{said.words}”"
+        yield f"{letter} is order {said.order} of two cylinders' force {where} ({source})"
+        if said.angle.letter:
+            share = "half " if said.angle.half == 1 else ""
+            yield f"{plain_letter(said.angle.letter)} is {share}the angle between the banks"
+        else:
+            yield f"the banks are {said.degrees}° apart, two cylinders on one pin"
+        yield "the crank angle is counted from the line between the banks"
+        if said.order > 1:
+            yield "the rod is long"
+
+    def _otherwise(
+        self, chain: Chain, said: _Said, parts: Parts, product: ProductOfPowers
+    ) -> Verdict | None:
+        """Return the refutation of a force that is another than its words leave, with the right one."""
+        letter, side = parts.letter, chain.sides[1]
+        if not {"mass", "radius", "speed"} <= letter.keys():
+            return None
+        mass, radius, speed = (Name(letter[role]) for role in ("mass", "radius", "speed"))
+        factors: list[Formula] = [mass, radius, speed**2]
+        if said.order > 1:
+            if "rod" in letter and "ratio" not in letter:
+                factors.append(radius / Name(letter["rod"]))
+            else:
+                factors.append(Name(letter.get("ratio", "lambda")))
+        function = said.direction or "cos"
+        size = component_factor(function, said.order, said.angle.half)
+        if said.angle.letter:
+            factors = [Number(Fraction(2)), *factors, *_bank_factors(function, said.order, said.angle)]
+        elif not same(abs(size), 1):
+            factors = [number_node(abs(size)), *factors]
+        if product.wave is not None:
+            angle = next(iter(sorted(names(product.wave.argument))), "theta")
+            if isinstance(product.wave.argument, Sum) or len(names(product.wave.argument)) != 1:
+                return None
+            turned = Name(angle) if said.order == 1 else said.order * Name(angle)
+            factors.append(Call(function, turned))
+        target = Product(tuple(factors))
+        known = Knowledge(SymbolValue(positive=frozenset(names(target))), corrects=True)
+        decision = decide(Side((target,), chain.sides[0].span), side, chain.relations[0].sign, known)
+        if decision.status != REFUTED:
+            return None
+        reason = "if " + "; ".join(self._words_taken(chain, said))
+        document = self.resultants.words.document
+        verdict = describe(document, chain, 0, Decision(REFUTED, reason, witness=decision.witness))
+        repair = Repair("force of two banks", target, ((side.node, target),), 1.0)
+        return replace(verdict, fix=fix_of(repair, document, side))
 
     def _by_letter(
         self, chain: Chain, own: _Component, knowledge: Knowledge
@@ -197,7 +372,7 @@ class BankResultants:
         heading = claims.sections.heading_above(chain.lines[0])
         if _OF_MORE.search(f"{heading} {sentence}") or _OF_LESS.search(f"{sentence} {heading}"):
             return None
-        angle = self._angle_given(chain, knowledge) or self._angle(chain, own)
+        angle = self._angle_given(chain, knowledge) or self._angle(chain, own.wave)
         if not angle or not self._is_from_the_middle(chain, section, angle, knowledge):
             return None
         is_directed = _DIRECTED.search(sentence) is not None or self._is_of_rule(chain, own, knowledge)
@@ -361,7 +536,7 @@ class BankResultants:
             angles |= {round(2 * half * degrees) for half in halves}
         return angles.pop() if len(angles) == 1 else 0
 
-    def _angle(self, chain: Chain, own: _Component) -> int:
+    def _angle(self, chain: Chain, wave: Call) -> int:
         """Return the one angle between two banks that the nearest words name, 0 for none or several."""
         claims = self.resultants.claims
         before = self._text[max(0, chain.start - 200) : chain.start]
@@ -369,7 +544,7 @@ class BankResultants:
             claims.sentence(chain), claims.sections.heading_above(chain.lines[0]), before,
             claims.section(chain), self._text.lstrip().partition("\n")[0],
         )  # fmt: skip
-        turning = names(own.wave) | _CRANK_ANGLES
+        turning = names(wave) | _CRANK_ANGLES
         for words in scopes:
             angles = set()
             for match in _ANGLE.finditer(words):
@@ -491,7 +666,15 @@ def _wrong_factors(own: _Component, half: float) -> list[tuple[float, ...]]:
 def _with_bank_factors(node: Formula, own: _Component, half: float) -> Formula:
     """Return a component with the functions of the angle between the banks that it should have."""
     rest, _ = _split(node, own.bank)
-    letter, function = Name(own.bank), own.wave.function
+    factors = _bank_factors(own.wave.function, own.order, BankAngle(own.bank, half))
+    parts = rest.factors if isinstance(rest, Product) else (rest,)
+    others = tuple(part for part in parts if part != Number(Fraction(1)))
+    return Product((*others[:-1], *factors, *others[-1:]))
+
+
+def _bank_factors(function: str, order: int, angle: BankAngle) -> tuple[Formula, ...]:
+    """Return the functions of the angle between the banks that a component has."""
+    letter = Name(angle.letter)
 
     def of(multiple: Fraction) -> Formula:
         if multiple == 1:
@@ -499,11 +682,8 @@ def _with_bank_factors(node: Formula, own: _Component, half: float) -> Formula:
         whole = Product((Number(multiple), letter)) if multiple > 1 else letter / 2
         return Call(function, whole)
 
-    first = Fraction(half)
-    factors = (of(first) ** Fraction(2),) if own.order == 1 else (of(first), of(first * own.order))
-    parts = rest.factors if isinstance(rest, Product) else (rest,)
-    others = tuple(part for part in parts if part != Number(Fraction(1)))
-    return Product((*others[:-1], *factors, *others[-1:]))
+    first = Fraction(angle.half)
+    return (of(first) ** Fraction(2),) if order == 1 else (of(first), of(first * order))
 
 
 def _split(node: Formula, bank: str) -> tuple[Formula, list[Formula]]:

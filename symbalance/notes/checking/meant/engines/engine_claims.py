@@ -83,9 +83,9 @@ _ROTATING = re.compile(
     re.IGNORECASE,
 )
 WHOLE = re.compile(
-    r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|whole|engine'?s\b"
+    r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|残[るっ]|whole|engine'?s\b"
     r"|add\s+up|altogether"
-    r"|remain|surviv|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|výsledn|celkov|całkowit|totaal|totale|together|zusammen"
+    r"|remain|surviv|\bleft\b|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|výsledn|celkov|całkowit|totaal|totale|together|zusammen"
     r"|insgesamt"
     r"|of\s+the\s+(?:whole\s+)?engine|of\s+the\s+motor|des\s+(?:ganzen\s+)?motors|du\s+moteur"
     r"|del\s+motore?|エンジン",
@@ -93,6 +93,15 @@ WHOLE = re.compile(
 )
 _AND = re.compile(r"\b(?:and|und|et|y|ed?|en)\b")
 """Words behind which something else is said."""
+_ITS = re.compile(
+    r"\b(?:its|sein[e]?|ihr[e]?|dessen|deren|dieser?s?|sa|son|leur|su|sua|il\s+suo|la\s+sua|questa|esta"
+    r"|cette)\s+(?:\w+\s+){0,2}?(?:amplitude|magnitude|maximum|peak|size|amount|length|value|largest|"
+    r"betrag|größe|höchstwert|amplitud|ampiezza|valeur|valore?|módulo|modulo|module|grandeur|intensit\w+)"
+    r"|(?:その|この)(?:大きさ|振幅|最大値|値|力|偶力)",
+    re.IGNORECASE,
+)
+"""Words for the size of what the sentence before speaks of."""
+_CLAUSES = re.compile(r"[,;:](?=\s)|、|\b(?:but|and|aber|und|mais|et|ma|pero|y|e|while|sondern)\b")
 _NO_WORD = re.compile(
     r"(?:[\W\d_]|すなわち|よって|したがって|\b(?:so|thus|hence|i\.e|also|d\.h|donc)\b)*", re.IGNORECASE
 )
@@ -147,11 +156,15 @@ class EngineClaim:
 
     @property
     def is_in_phase(self) -> bool:
-        """Whether all pistons' forces of an even order rise and fall with cos nθ, not with sin nθ."""
+        """Whether all pistons' forces of an even order rise and fall with cos nθ, not with sin nθ.
+
+        So does their couple, which is left of them in a boxer.
+        """
         stars = self.engine.stars
-        is_even = self.kind == FORCE and not self.order % 2 and not self.is_rotating
+        is_even = self.kind in (FORCE, COUPLE) and not self.order % 2 and not self.is_rotating
         phases = {degrees * self.order % 360 for star in stars for degrees in star.degrees}
-        return is_even and phases == {0} and not any(star.signs or star.is_radial for star in stars)
+        is_one_way = self.kind == COUPLE or not any(star.signs for star in stars)
+        return is_even and phases == {0} and is_one_way and not any(star.is_radial for star in stars)
 
     def size(self, star: CrankStar) -> float:
         """Return how many times one cylinder's amplitude it is with one crankshaft."""
@@ -218,7 +231,8 @@ class EngineClaims:
             return None
         order, source = 0, ""
         title = self._text[: self._line_starts[1]]
-        for words in map(without_accuracies, (before, behind, heading, title)):
+        above = self._clause_of_pronoun(before, start)
+        for words in map(without_accuracies, (before, behind, above, heading, title)):
             if _ORDER_WORD.search(words) and (order := _order_in(words, name)):
                 source = words
                 break
@@ -260,6 +274,18 @@ class EngineClaims:
         section = self.section(chain)
         return _TORQUE.search(section) is not None and _COUPLE.search(section) is None
 
+    def _clause_of_pronoun(self, before: str, start: int) -> str:
+        """Return what "its amplitude" is of: the last clause with one order in the sentence before.
+
+        "" where the words before a formula have no such pronoun, or name what they are of themselves.
+        """
+        if not _ITS.search(before) or _ORDER_WORD.search(before):
+            return ""
+        first, _ = self._sentence(self._opening(start), start)
+        above = self._text[self._sentence(max(first - 2, 0), first)[0] : first]
+        clauses = [c for c in _CLAUSES.split(above) if _ORDER_WORD.search(c) and _ORDER.search(c)]
+        return clauses[-1] if clauses else ""
+
     def _order_by_index(self, name: str, chain: Chain) -> int:
         """Return the order that a letter's index says, or the wave of its formula; 0 for none.
 
@@ -288,6 +314,13 @@ class EngineClaims:
         """Return the sentence that a relation stands in, with what stands before a display."""
         first, last = self._sentence(self._opening(chain.start), chain.end)
         return self._text[first:last]
+
+    def words_before(self, chain: Chain) -> tuple[str, str]:
+        """Return the words of a relation's sentence before it, and the sentence before that one."""
+        start = self._opening(chain.start)
+        first, _ = self._sentence(start, chain.end)
+        above, _ = self._sentence(max(first - 2, 0), first)
+        return self._text[first:start], self._text[above:first]
 
     def orders_before(self, chain: Chain) -> set[int]:
         """Return the orders that the sentence of a relation names before it, or the one before that."""

@@ -28,7 +28,7 @@ _PITCH_WORDS = re.compile(
     r"(?:cylinder|bore)s?[\s-]+(?:spacing|pitch|distance|centres?|centers?)|\bpitch\b|\bspacing\b"
     r"|\bdistances?\b"
     r"|distance\s+apart|(?:axial\s+)?offset|zylinderabst[aä]nd\w*|stichma(?:ß|ss)|abst[aä]nd\w*"
-    r"|entraxes?|interass[ei]|rozstaw\w*"
+    r"|(?:zylinder|kröpfungs)versatz\w*|décalage\s+(?:axial|entre|des)|entraxes?|interass[ei]|rozstaw\w*"
     r"|気筒間(?:隔|距離)|シリンダ(?:ー)?間隔|ピッチ|distancia\s+entre|distanza\s+tra|cilinderafstand"
     r"|apart|bore\s+centres",
     re.IGNORECASE,
@@ -52,7 +52,8 @@ _BEHIND_PITCH = re.compile(
     r"(?:[\s,(:]|\b(?:of|the|two|between|neighbou?ring|adjacent|cylinders?|bores?|cent(?:re|er)s?"
     r"|throws?|pins?|der|den|des|zweier"
     r"|benachbarter|zylindern?|kröpfungen|de|des|du|la|le|les|entre|tra|i|dei|degli|cilindri|cilindros"
-    r"|cylindres?|dos|os|el|van|cilinders)\b"
+    r"|cylindres?|dos|os|el|van|cilinders"
+    r"|is|ist|est|è|es|vaut|vale|beträgt|equal\s+to|by|um|von)\b"
     r"|[をはがのと])*",
     re.IGNORECASE,
 )
@@ -177,7 +178,7 @@ class EngineLetters:
         if self.pitch_words(name) or _PITCH_WORDS.search(meaning):
             return "arm"
         declared = next((role for words, role in _BY_MEANING.items() if meaning.startswith(words)), "")
-        if declared:
+        if declared and not (stem in _RATIOS and declared in ("radius", "rod")):  # λ: radius by length
             return declared
         is_couple = claim is not None and claim.kind == COUPLE
         if (
@@ -275,7 +276,7 @@ def mended(
         powers[parts.letter[slip]] = Fraction(wanted[slip])
     if not factor:
         return Number(Fraction(0))
-    factors: list[Formula] = [_number_node(factor)] if not same(factor, 1) else []
+    factors: list[Formula] = [number_node(factor)] if not same(factor, 1) else []
     factors += [Name(n) if p == 1 else Name(n) ** p for n, p in powers.items() if p > 0]
     below: list[Formula] = [Name(n) if p == -1 else Name(n) ** -p for n, p in powers.items() if p < 0]
     factors += [wave] if wave is not None else []
@@ -290,7 +291,7 @@ def _product(factors: list[Formula]) -> Formula:
     )
 
 
-def _number_node(value: float) -> Formula:
+def number_node(value: float) -> Formula:
     """Return a number as a fraction, a root, or to four digits."""
     near = Fraction(value).limit_denominator(512)
     if isclose(near, value, rel_tol=1e-9):

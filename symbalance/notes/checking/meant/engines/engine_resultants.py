@@ -50,7 +50,12 @@ from symbalance.notes.checking.meant.engines.engine_letters import (
     mended,
     same,
 )
-from symbalance.notes.checking.meant.engines.order_indices import POWERS, wave_of
+from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_of, wave_of
+from symbalance.notes.checking.meant.engines.sizes_explained import (
+    without_balance_to_come,
+    without_letters_explained,
+    without_masses_of_one,
+)
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.products import (
     NoProductError,
@@ -79,7 +84,7 @@ _PART = re.compile(
     r"|verbleibend|doppelte|zylinder\s+[0-9]|pleuel|lager\b|gaskr|komponente|restkraft|restmoment"
     r"|chaque|chacun|demi|moitié|équilibr|contrepoids|cada|mitad|contrapes|equilibr|ciascun|metà|każd"
     r"|połow"
-    r"|釣合い?おもり|バランサ|バランスシャフト|カウンタ|残|各|1\s*気筒あたり|片側|半分|外側|内側|中央"
+    r"|釣合い?おもり|バランサ|バランスシャフト|カウンタ|残(?![るっ])|各|1\s*気筒あたり|片側|半分|外側|内側|中央"
     r"|一対|成分|倍",
     re.IGNORECASE,
 )
@@ -113,7 +118,7 @@ _TOTAL_MASS = re.compile(
     re.IGNORECASE,
 )
 _FAR_APART = re.compile(
-    r"(?:outer(?:most)?|end|total|overall|half|äußer\w*|halbe\w*|gesamt\w*|外側|全長|first\s+(?:and"
+    r"(?:\b(?:outer(?:most)?|end|total|overall|half)\b|äußer\w*|\bhalbe\w*|gesamt\w*|外側|全長|first\s+(?:and"
     r"|to)\s+(?:the\s+)?last|extr[eê]me?s)"
     r"|length\s+of\s+the\s+(?:block|engine|crank)|baulänge",
     re.IGNORECASE,
@@ -121,21 +126,16 @@ _FAR_APART = re.compile(
 _WEIGHTED = re.compile(
     r"weighted|lever|moment|couple|gewichtet|hebel|mass|偶力|モーメント", re.IGNORECASE
 )
-_MASS_OF_ONE = re.compile(
-    r"(?:mass|kg|reciprocating|oszillierend|masse)[^.;:,\n]{0,30}?\s(?:of|per|je|pro|d.un|par|por|eines"
-    r"|einer)\s+(?:\w+\s+){0,3}(?:cylind\w+|piston|zylinders?|kolbens?)"
-    r"|1\s?気筒(?:あたり|分)?の(?:往復|運動)(?:部分の)?質量",
-    re.IGNORECASE,
-)
 _SUMMED = re.compile(r"\\sum|Σ|∑|_\{?[ijk]\b")
 _TORQUE_ORDERS = (1, 2, 3, 4)
 _FEWEST_TERMS = _EITHER = 2
 _ALL_OF = {
-    2: re.compile(
-        r"\b(?:two|both)\s+(?:cylinders?|pistons?)|\b(?:zwei|beiden?)\s+(?:zylindern?|kolben)",
+    count: re.compile(
+        rf"\b(?:{english})\s+(?:cylinders?|pistons?|(?:crank)?throws?|crank\s?pins?|cranks)\b"
+        rf"|\b(?:{german})\s+(?:zylindern?|kolben|kröpfungen|kurbeln|hubzapfen)",
         re.IGNORECASE,
-    ),
-    3: re.compile(r"\bthree\s+(?:cylinders?|pistons?)|\bdrei\s+(?:zylindern?|kolben)", re.IGNORECASE),
+    )
+    for count, english, german in ((2, "two|both", "zwei|beiden?"), (3, "three", "drei"))
 }
 """Words for all cylinders of an engine, by their number."""
 _NONE = re.compile(r"(?!)")
@@ -165,6 +165,12 @@ _OF_ANOTHER = re.compile(
 )
 
 
+_UP_TO_SECOND = re.compile(
+    r"(?:up\s+to|bis\s+(?:einschließlich\s+)?zu[mr]?|jusqu['’][àa]u?|fino\s+(?:al|a)|hasta\s+(?:el|la)?)\s+(?:and\s+"
+    r"including\s+)?(?:\w+\s+)?(?:second|2nd|2\.|zweite|deuxième|2e|segund|second)|[2二]次まで",
+    re.IGNORECASE,
+)
+"""Words for a sum of the first two orders: a term of one order alone is not what they are of."""
 _SPEED = re.compile(
     r"(?:twice|double|two\s+times|doppelte[rn]?|zweifache[rn]?)\s+(?:the\s+)?(?:crank(?:shaft)?|engine|kurbel(?:wellen)?)?"
     r"[\s-]*(?:speed|drehzahl|geschwindigkeit)|(?:crank(?:shaft)?|engine)[\s-]+speed|2\s?倍の(?:速度|速さ|回転)",
@@ -259,6 +265,8 @@ class EngineResultants:
             for term, (own, product) in zip(terms, products, strict=True)
         ]
         is_proved = [isinstance(each, Decision) and each.is_proved for each in outcomes]
+        if all(isinstance(each, Verdict) for each in outcomes):
+            return self._with_one_factor(chain, name, claim, terms, products, knowledge)
         if is_proved.count(True) != len(terms) - 1 + all(is_proved):
             return None
         for k, (own, product) in enumerate(products):
@@ -270,6 +278,34 @@ class EngineResultants:
             return wrong[0] if None not in outcomes and len(wrong) == 1 else None
         texts = (text for each in outcomes if isinstance(each, Decision) for text in each.assumptions)
         return Decision(PROVED, assumptions=tuple(dict.fromkeys(texts)))
+
+    def _with_one_factor(
+        self,
+        chain: Chain,
+        name: str,
+        claim: EngineClaim,
+        terms: tuple[Formula, ...],
+        products: list[tuple[EngineClaim, ProductOfPowers]],
+        knowledge: Knowledge,
+    ) -> Verdict | None:
+        """Return the refutation of a sum all of whose terms are wrong by one and the same factor."""
+        ratios: list[float] = []
+        mends: list[Formula] = []
+        for term, (own, product) in zip(terms, products, strict=True):
+            parts = self.letters.parts(product, own, knowledge)
+            if parts is None or parts.slips:
+                return None
+            first = 1.0 if parts.has_amplitude else float(FIRST_TERMS[own.order])
+            ratios.append(own.sizes()[0] * first / abs(product.number))
+            mend = mended(product_of(term), parts, "factor", ratios[-1], own)
+            if mend is None:
+                return None
+            mends.append(mend)
+        if not all(same(ratio, ratios[0], 1e-3) for ratio in ratios):
+            return None
+        parts = self.letters.parts(products[0][1], products[0][0], knowledge)
+        whole = Sum(tuple(mends))
+        return parts and self._refuted(chain, name, claim, parts, "factor", ratios[0], target=whole)
 
     def _orders(
         self, terms: tuple[Formula, ...], name: str, claim: EngineClaim, knowledge: Knowledge
@@ -310,7 +346,10 @@ class EngineResultants:
         if not is_amount:
             slips.append("factor")
         if not slips:
-            if term is None and self._is_against_another(chain, claim, product, knowledge):
+            is_alone = term is None and claim.order == 1 and not index_of(name)
+            is_open = is_alone and _UP_TO_SECOND.search(claim.sentence) is not None
+            is_open = is_open or _is_what_half_a_balance_leaves(claim)
+            if is_open or (term is None and self._is_against_another(chain, claim, product, knowledge)):
                 return None
             return Decision(
                 PROVED,
@@ -381,7 +420,8 @@ class EngineResultants:
             return self._vanishing_torque(name, claim, value)
         if VECTORS.search(claim.sentence):
             return self._phasor_sum(name, claim, value)
-        if not isinstance(value, Number) or value.value or _PART.search(claim.sentence):
+        is_part = _PART.search(_SPEED.sub("", without_masses_of_one(claim.sentence))) is not None
+        if not isinstance(value, Number) or value.value or is_part:
             return None
         sizes = claim.sizes()
         if not all(sizes):
@@ -449,16 +489,12 @@ class EngineResultants:
     ) -> bool:
         """Tell whether the words leave no other meaning under which a formula is right."""
         is_of_other = claim.is_inferred and not self._is_of_no_other(claim, product, sizes, first)
-        if is_of_other or _IN_A_CASE.search(_SPEED.sub("", claim.sentence)):
+        sentence = without_letters_explained(_SPEED.sub("", claim.sentence))
+        if is_of_other or _IN_A_CASE.search(sentence):
             return False
         if slip != "factor":
-            return not _OF_ANOTHER.search(claim.sentence)
-        own = f"{claim.words} {claim.own} {claim.clause if claim.is_inferred else ''}"
-        own = _ALL_OF.get(claim.engine.cylinders, _NONE).sub("", own.replace(claim.engine.words, ""))
-        own = _SPEED.sub("", own)
-        is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(claim.around)
-        is_part = is_part or _SHARE.search(claim.around) is not None
-        is_part = is_part or _TOTAL_MASS.search(self._text) is not None
+            return not _OF_ANOTHER.search(sentence)
+        is_part = self._is_of_part(claim)
         if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", ""), knowledge):
             return False
         number, size = abs(product.number) / first, sizes[0]
@@ -468,6 +504,17 @@ class EngineResultants:
         if not size or (claim.engine.is_boxer and len(claim.engine.stars[0].degrees) > 2):
             return not (size or is_of_one)
         return self._is_of_pitch(claim, parts, product.rounding, number, size)
+
+    def _is_of_part(self, claim: EngineClaim) -> bool:
+        """Tell whether words make a formula that of a part or a multiple of what the cylinders do."""
+        own = f"{claim.words} {claim.own} {claim.clause if claim.is_inferred else ''}"
+        own = _ALL_OF.get(claim.engine.cylinders, _NONE).sub("", own.replace(claim.engine.words, ""))
+        own = without_masses_of_one(without_letters_explained(own))
+        own = without_balance_to_come(_SPEED.sub("", own))
+        around = without_balance_to_come(claim.around)
+        is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(around)
+        is_part = is_part or _SHARE.search(around) is not None
+        return bool(is_part) or _TOTAL_MASS.search(self._text) is not None
 
     def _is_of_pitch(
         self, claim: EngineClaim, parts: Parts, rounding: float, number: float, size: float
@@ -509,7 +556,7 @@ class EngineResultants:
         """
         if claim.is_total:
             return True
-        if _OF_ONE.search(_MASS_OF_ONE.sub("", self._text)) or _SUMMED.search(self._text):
+        if _OF_ONE.search(without_masses_of_one(self._text)) or _SUMMED.search(self._text):
             return False
         head = chain.sides[0].node
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
@@ -553,11 +600,12 @@ class EngineResultants:
         slip: str,
         factor: float,
         term: Formula | None = None,
+        target: Formula | None = None,
     ) -> Verdict | None:
         side = chain.sides[1]
         whole = without_dots(side.node)[0]
-        own = product_of(term or whole)
-        target = mended(own, parts, slip, factor, claim)
+        if target is None:
+            target = mended(product_of(term or whole), parts, slip, factor, claim)
         if target is None:
             return None
         if term is not None:
@@ -580,6 +628,12 @@ def _sign_of_wave(product: ProductOfPowers) -> int:
         return 0
     sign = 1 if product.number > 0 else -1
     return -sign if wave_of(product.wave)[0] == _NEGATIVE_ORDER else sign
+
+
+def _is_what_half_a_balance_leaves(claim: EngineClaim) -> bool:
+    """Tell whether words speak of a share that is balanced: what is left of a force is another one."""
+    around = without_balance_to_come(f"{claim.around} {claim.sentence}")
+    return _BALANCED.search(around) is not None and _SHARE.search(around) is not None
 
 
 def _is_of_another_engine(meaning: str, claim: EngineClaim) -> bool:

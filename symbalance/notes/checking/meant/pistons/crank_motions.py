@@ -115,6 +115,12 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 """Words that make a part or a multiple of a motion."""
+_ROUGHLY = re.compile(
+    r"approx|roughly|nearly|small|about|näherung|annähernd|etwa|klein|ungefähr|近似|ほぼ|小さ|environ|petit|aprox|peque"
+    r"|appross|circa|piccol",
+    re.IGNORECASE,
+)
+"""Words by which a formula is meant roughly, for small angles."""
 _UNCERTAIN = re.compile(r"missing|too many|differentiation")
 """Changes after which another quantity may stand there."""
 
@@ -164,7 +170,8 @@ class CrankMotions:
             return self._zero(case)
         if not letters:
             return self._number(case)
-        if not _has_motion_form(case.formula) or case.head.name in letters:
+        is_of_itself = case.head.name in letters and not case.head.order  # β̇ may have cos β below
+        if not _has_motion_form(case.formula) or is_of_itself:
             return None
         try:
             return run_within(SEARCH, lambda: self._judge(case), SHARE)
@@ -293,6 +300,8 @@ class CrankMotions:
                 if agreeing is None:
                     continue
                 target, sign, how = agreeing
+                if how.isdigit() and self._is_of_other_function(case, turned, reading):
+                    return None
                 node = reading.target(Negative(target) if sign < 0 else target)
                 sides = case.chain.sides
                 if not how and node is not None:
@@ -306,6 +315,22 @@ class CrankMotions:
                 order = f"{_ratio_text(reading)}^{how}" if how.isdigit() else ""
                 return Decision(PROVED, order=order, assumptions=tuple(texts))
         return None
+
+    def _is_of_other_function(self, case: _Claim, motion: Motion, reading: Reading) -> bool:
+        """Tell whether a claim is the exact sine of an angle, where the page has = and its tangent.
+
+        tan β = λ sin φ holds to first order; but it is what sin β is, and no word calls it rough.
+        """
+        if not case.head.function or case.chain.relations[0].sign != "=":
+            return False
+        if _ROUGHLY.search(self.named.clause(case.chain)):
+            return False
+        values, exact = values_in(reading), Motion(motion.exact)
+        found = (
+            agreement(_inside(exact, function), case.formula, values, (1,))
+            for function in WAVES - {case.head.function}
+        )
+        return any(each is not None and not each[2] for each in found)
 
     def _directions(self, kind: str, case: _Claim, place: str) -> tuple[int, ...]:
         """Return the directions in which a motion may be counted: as it was above, or either.
@@ -372,13 +397,22 @@ class CrankMotions:
         head = case.head
         if self._is_fixed_by_another(named.kind, case, named.places[0]):
             return False
-        return any(
-            agreement(
-                _inside(motion, head.function), case.formula, values_in(reading), _signs(kind, head)
+        found = (
+            (
+                agreement(
+                    _inside(motion, head.function), case.formula, values_in(reading), _signs(kind, head)
+                ),
+                motion,
+                reading,
             )
             for reading in readings
             for (kind, place), motion in self.table.items()
             if kind == named.kind and (place or not named.places[0])
+        )
+        return any(
+            each is not None
+            and not (each[2].isdigit() and self._is_of_other_function(case, motion, reading))
+            for each, motion, reading in found
         )
 
     def _with_slip(
@@ -398,6 +432,8 @@ class CrankMotions:
         changes = (*slips(case.formula), *_wholes(case.formula, reading, is_sole, is_part))
         directions = self._directions(named.kind, case, named.places[0])
         is_fixed = self._is_fixed_by_another(named.kind, case, named.places[0])
+        if named.kind not in TURNED:  # the cosine of an angle has its sign, whatever way things count
+            is_fixed = True
         if is_fixed:  # by another letter, or by another place: the sign is no matter of taste
             changes = (*changes, ("sign", Negative(case.formula)))
         for sign, (kind, changed) in product(directions, changes):

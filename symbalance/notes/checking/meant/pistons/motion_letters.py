@@ -199,6 +199,8 @@ class MotionLetters:
                 number = value_at(value, {})
                 if isfinite(number) and not 0.6 < number < 1.7:
                     known.add(number > 1)
+        if not known:
+            known |= self._by_sines(letter)
         declared, text = knowledge.meanings.get(letter, ""), self.document.text
         if _OF_STROKE.search(text) or "l/s" in declared:
             return
@@ -208,6 +210,33 @@ class MotionLetters:
             elif "l/r" in declared or (_ROD_OVER_CRANK.search(text) and not _CRANK_OVER_ROD.search(text)):
                 known.add(True)
         yield from sorted(known or {False, True})
+
+    def _by_sines(self, letter: str) -> set[bool]:
+        """Return what a line of the page says of a ratio that takes one sine to the other's: r/l or l/r.
+
+        Of sin β = λ sin φ λ is r/l, where β is the rod's angle: the later letter of the two.
+        """
+        known: set[bool] = set()
+        for chain in self.document.chains:
+            if len(chain.sides) != 2 or chain.relations[0].sign != "=":
+                continue
+            first, second = (side.node for side in chain.sides)
+            if not isinstance(first, Call) or first.function != "sin":
+                continue
+            angles = [*names(first), *angles_in(second)]
+            if len(angles) != 2 or angle_rank(angles[0]) <= angle_rank(angles[1]):
+                continue
+            sine = Call("sin", Name(angles[1]))
+            known |= (
+                {second == Quotient(sine, Name(letter))} if _is_product(second, letter, sine) else set()
+            )
+        return known
+
+
+def _is_product(node: Formula, letter: str, sine: Formula) -> bool:
+    """Tell whether a formula is a ratio times a sine, or the sine over it."""
+    parts = node.factors if isinstance(node, Product) else ()
+    return node == Quotient(sine, Name(letter)) or (len(parts) == 2 and {*parts} == {Name(letter), sine})
 
 
 def angles_in(node: Formula) -> frozenset[str]:

@@ -22,6 +22,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     STROKE,
     TOP,
 )
+from symbalance.notes.checking.words.accuracies import without_orders_of_series
 from symbalance.text import lazy_patterns as re
 
 _ROD = re.compile(
@@ -48,10 +49,22 @@ _KINDS = re.compile(
     r"|\bcarrera\b"
     r"|\bcorsa\b)"
     r"|(?P<angle>inclin|pendelwinkel|obliquity|\blean|\btilt|\bslant|schräg|schwenk|neigung|ausschlag|傾|揺動角"
+    r"|(?<!crank )(?<!crank-)\bangle\b(?![^.;=,]{0,30}\bcrank\b(?! ?(?:shaft"
+    r"|pin)))[^.;=,]{0,40}\b(?:con-?)?rod\b"
+    r"(?![^.;=,]{0,16}\bcrank\b)"
+    r"|\brod\b(?: (?!and\b|to\b)[^\W\d_]+){0,6} (?:makes|forms|includes"
+    r"|is inclined)\b[^.;=]{0,40}\bangle\b"
+    r"|(?<!kurbel)winkel\b[^.;=,]{0,30}(?:pleuel|(?:schub|pleuel)stange)|(?:pleuel|stange)\w*[^.;=,]{0,40}"
+    r"\bden winkel\b|(?:連接棒|コンロッド)[^、。]{0,14}な[すし]た?角"
     r"|(?:rod|pleuel|stangen)[- ]?(?:angle|winkel)|angle of the (?:connecting[- ])?rod|oblicuidad"
     r"|\bswings?\b)"
     r"|(?P<displacement>displacement|\btravel|piston(?:'s)? (?:path|position|height)"
     r"|(?:piston|slider|ram|pin)(?:'s)? distance|distance of the (?:piston|slider)|\blage (?:des|der)\b"
+    r"|(?:piston|slider|crosshead)\b(?: (?:has|have|is|will have|then|thus|already))* (?:moved"
+    r"|travell?ed|descended"
+    r"|sunk|gone down|been displaced|moves (?:down|inward)|descends)\b(?! (?:at|with))"
+    r"|kolben\b[^.;=,]{0,30}\b(?:zurückgelegt|abwärts bewegt|nach unten bewegt|herabgegangen)"
+    r"|ピストンの?(?:移動|下降|降下)(?:量|距離)|ピストンは?[^。]{0,16}(?:だけ)?(?:移動|下降|降下)(?:する|した)"
     r"|position (?:of|from|count)|wrist pin sits|sits at|(?:kolben|\b)weg\b|kolbenstellung|kolbenlage"
     r"|kolbenverschiebung|変位|ピストンの?位置|déplacement|desplazamiento|spostamento"
     r"|piston (?:is|has) gone"
@@ -63,26 +76,31 @@ _OF_KINDS = {
     "stroke": STROKE, "angle": ROD_ANGLE, "displacement": PATH,
 }  # fmt: skip
 _OF_ROD = {ACCELERATION: ROD_ACCELERATION, SPEED: ROD_SPEED}
-OTHERS = re.compile(
+_OTHERS = re.compile(
     r"crank-?\s?pins?|big[- ]end|kurbelzapfen|hubzapfen|クランクピン|counterweight|gegengewicht"
     r"|centre of (?:gravity|mass)|center of (?:gravity|mass)|centroid|schwerpunkt|重心|relativ|\bmean\b"
     r"|average|mittlere|durchschnitt|平均|moyenne|\bmedia\b|scotch|\byoke|\bcams?\b|nocken|カム"
     r"|simple harmonic|\bS\.?H\.?M\b|infinite|unendlich|無限|(?<!to )(?<!to the )\bfirst[- ]order"
-    r"|\bsecond[- ]order|primary"
-    r"|secondary|\b(?:erste|zweite)[rn]? ordnung|[一二三四12346]次|component|komponente|成分|amplitude"
+    r"|(?<!to )(?<!to the )(?<!at the )(?<!through )\bsecond[- ]order|primary"
+    r"|secondary|(?<!bis zu )(?<!bis zur )(?<!bis )\b(?:erste|zweite)[rn]? ordnung|[一二三四12346]次"
+    r"|component|komponente|成分|amplitude"
     r"|振幅|articulated|slave|nebenpleuel|\bper unit|\bsquared\b|\bsquares? of|quadrat|normal acc"
     r"|tangential"
     r"|centripetal|zentripetal|fliehkraft|求心|coriolis|\bvalve|ventil|弁|\bgas\b|flow|\belliptic"
     r"|\brod'?s (?:cent(?:re|er)|middle)"
     r"|\bpoint (?:of|on)\b|mid-?point|(?:in|of) its middle|middle of the (?:connecting )?rod|\bbanks?\b"
     r"|vehicle|flywheel|schwungrad|fahrzeug|\bdesired|\bharmonics?\b|\bfourth|\bsixth|\bfourier"
-    r"|\bwaves?\b|ratio of|quotient|\bperiod|difference|unterschied|error|fehler|誤差|neglect"
+    r"|\bwaves?\b|ratio of(?! (?:the )?(?:crank|radius|(?:connecting[- ])?rod|lengths?|throw)\b)"
+    r"|quotient|\bperiod|difference|unterschied|error|fehler|誤差|neglect"
     r"|dimensionless|dimensionslos|reduced|normali[sz]ed|\bbezogen",
     re.IGNORECASE,
 )
 """Words for another body's motion, or for a part or a mean of one."""
 HAS_OFFSET = re.compile(
-    r"offset|desax|dés?ax|geschränkt|schränkung|オフセット|eccentric cylinder|misses the crank",
+    r"(?<!\bno )(?<!not )(?<!without )(?<!without an )(?<!zero )(?<!non-)offset"
+    r"|(?<!nicht )(?<!nicht de)(?<!sans )(?<!non )(?<!no )(?:des|dés)ax|(?<!non )déax"
+    r"|(?<!nicht )(?<!un)geschränkt"
+    r"|(?<!ohne )schränkung|オフセット(?!な[いし]|がな|のな|は?無)|eccentric cylinder|misses the crank",
     re.IGNORECASE,
 )
 OF_ENGINE = re.compile(
@@ -145,6 +163,15 @@ def motions_named(words: str, around: str = "") -> list[str]:
             continue
         motions.append(kind)
     return motions
+
+
+def names_another(words: str) -> bool:
+    """Tell whether words name another body's motion, a part or a mean, not just how far a series goes.
+
+    >>> names_another("the second-order acceleration"), names_another("to second order the acceleration")
+    (True, False)
+    """
+    return _OTHERS.search(without_orders_of_series(words)) is not None
 
 
 def places_named(words: str, sentence: str = "") -> list[str]:

@@ -18,6 +18,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
     BOTTOM,
     FASTEST,
+    HALF,
     HUMP,
     JERK,
     LARGEST,
@@ -34,8 +35,8 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
 from symbalance.notes.checking.meant.pistons.motion_letters import OF_CRANK, WAVES, angle_rank, angles_in
 from symbalance.notes.checking.meant.pistons.motion_words import (
     HAS_OFFSET,
-    OTHERS,
     motions_named,
+    names_another,
     place_of_index,
     places_named,
 )
@@ -51,13 +52,26 @@ BEFORE, BEHIND = 320, 70
 _CELL_OR_SENTENCE = re.compile(rf"{SENTENCE_END.pattern}|\|")
 BARE = 8
 """Letters since the relation before that name nothing: "so", "then"."""
+_LEAD = re.compile(r"(?:^|\n)\s*\*\*([^*\n$]{3,60}?)[.:]?\*\*(?:(?!\n\s*\n).)*$", re.DOTALL)
+"""The title in bold that opens the paragraph of a formula."""
 _SET_OFF = " \t\n$\\([{&|"
 _MARKUP = re.compile(r"<[^>]*>|\\(?:begin|end|label)\{[^}]*\}|\\\w+|[$*_#`]")
 OF_ROD = frozenset({ROD_ANGLE, ROD_SPEED, ROD_ACCELERATION})
 _FAST = re.compile(r"fast|velocit|speed|geschwindig|速度|schnell|vitesse|velocidad", re.IGNORECASE)
 _EXTREME = re.compile(r"extrem|\btop|peak|hump|minim|largest|greatest|maxim", re.IGNORECASE)
+_MIDWAY = re.compile(
+    r"mid-?stroke|half[- ](?:the |its |of the |of its |way )?(?:down |through |along )?(?:the "
+    r"|its )?stroke"
+    r"|middle of (?:the|its) stroke|half ?way (?:down|through|along|on) (?:the|its) (?:stroke|travel)"
+    r"|half[- ]way down its stroke|hubmitte|mitte des (?:kolben)?hub|halbe[mnr]? (?:kolben)?hub"
+    r"|halben? kolbenweg"
+    r"|行程の?(?:中央|半分|1/2|中点)|mi-course|milieu de (?:la |sa )?(?:course|stroke)"
+    r"|mitad de (?:la |su )?(?:carrera|stroke)|metà (?:della )?(?:corsa|stroke)",
+    re.IGNORECASE,
+)
 _DOUBTS = re.compile(
-    r"\bnot\b|\binstead\b|\bwrong|mistak|\bnicht\b|\bstatt\b|anstelle|falsch|ではない|誤り|間違|older|empiri"
+    r"\bnot\b(?! (?:an )?offset)|\binstead\b|\bwrong|mistak|\bnicht\b(?! (?:geschränkt|desaxiert"
+    r"|versetzt))|\bstatt\b|anstelle|falsch|ではない|誤り|間違|older|empiri"
     r"|rule of thumb|faustformel|mistook|often written",
     re.IGNORECASE,
 )
@@ -156,12 +170,12 @@ class NamedMotions:
         if head.function and angle_rank(head.name) < angle_rank("psi") and kind.name not in OF_ROD:
             around = f"{texts.since} {texts.heading} {texts.sentence}"
             kind = replace(kind, name=_crank_angle(around, kind.name, spots), is_sure=True)
-        if not kind.name or (head.function and kind.name not in (ROD_ANGLE, FASTEST, HUMP)):
+        if not kind.name or (head.function and kind.name not in (ROD_ANGLE, FASTEST, HALF, HUMP)):
             return None
         words = " ".join(self.glossary.own_words(kind.words).split())[-60:].strip(" ,:;([|")
         if is_turned and kind.name in TURNED:
             return NamedMotion(kind.name, ("",), words, kind.is_sure)
-        if kind.name in (STROKE, FASTEST, HUMP):
+        if kind.name in (STROKE, FASTEST, HALF, HUMP):
             places = tuple(spots) if self.is_offset and kind.name == FASTEST else ("",)
             return NamedMotion(kind.name, places, words, kind.is_sure)
         if {TOP, BOTTOM} & {*spots}:
@@ -199,11 +213,11 @@ class NamedMotions:
             motions = motions_named(text, f"{texts.heading} {texts.sentence}")
             motions = [usual] if len({*motions}) > 1 and usual in motions else motions
             if motions:
-                if OTHERS.search(text):
+                if names_another(text):
                     return None
                 kind = _Kind(motions[-1], text, is_sure=True)
                 break
-        if not kind.name and OTHERS.search(texts.clause):
+        if not kind.name and names_another(texts.clause):
             return None
         if (
             by_dots
@@ -226,7 +240,7 @@ class NamedMotions:
             return _Kind(self.kinds[head.stem, head.order], above, is_sure=True)
         motions = list(dict.fromkeys(motions_named(texts.heading)))
         motions = [usual] if usual in motions else motions
-        if len(motions) == 1 and not OTHERS.search(texts.heading):
+        if len(motions) == 1 and not names_another(texts.heading):
             return _Kind(motions[0], texts.heading, is_sure=True)
         angles = angles_in(claim)
         if head.function and len(angles) == 1 and head.name not in angles:
@@ -259,6 +273,8 @@ class NamedMotions:
         sentence = _CELL_OR_SENTENCE.split(text[max(0, start - BEFORE) : start].rstrip(_SET_OFF))[-1]
         behind = _CELL_OR_SENTENCE.split(text[chain.end : chain.end + BEHIND])[0]
         heading = self.sections.heading_above(chain.lines[0])
+        if (lead := _LEAD.search(self.document.text[max(0, start - BEFORE) : start])) is not None:
+            heading = f"{heading}\n{lead[1]}"
         since = self.sections.phrases_in_order.of(chain) or since
         clause = _plain(_CELL_OR_SENTENCE.split(since)[-1])
         row, above_it = self._row(chain), _plain(heading)
@@ -306,6 +322,8 @@ def _plain(words: str) -> str:
 
 def _crank_angle(words: str, kind: str, spots: list[str]) -> str:
     """Return which crank angle words name of which a page gives the sine or cosine; "" for none."""
+    if _MIDWAY.search(words) and not HAS_OFFSET.search(words) and not _EXTREME.search(words):
+        return HALF
     if HAS_OFFSET.search(words) or TOP in spots or BOTTOM in spots:
         return FASTEST
     if kind == ACCELERATION and _EXTREME.search(words):

@@ -192,4 +192,14 @@ when: když
 another: jin(?:ý|á|é|ého)
 case: případ\w*
 whereas: zatímco
+static deflection: statick\w+ průhyb\w*
+deflection: průhyb\w*
+in the middle: uprostřed|v polovině
+bearings: ložisk\w+|ložisek
+mass per length: hmotnost\w* na jednotku délky
+three discs: tři kotouče|tří kotoučů
+absorber: dynamick\w+ hltič\w*|hltič\w* kmitů
+mass ratio: poměr\w* hmotností
+frequency ratio: poměr\w* frekvencí
+simple harmonic motion: harmonick\w+ (?:pohyb|kmit)\w*
 """

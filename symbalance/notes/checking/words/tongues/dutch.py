@@ -202,4 +202,17 @@ when: wanneer
 another: een andere?
 case: geval
 whereas: terwijl
+static deflection: statische (?:doorbuiging|doorzakking|indrukking)
+deflection: doorbuiging
+in the middle: in het midden|halverwege
+bearings: lagers
+mass per length: massa per (?:lengte-?eenheid|eenheid van lengte)
+angular frequency: hoekfrequentie|cirkelfrequentie
+three discs: drie (?:schijven|massa's|vliegwielen)
+two-node mode: trillingsvorm met twee knopen
+absorber: (?:dynamische )?trillingsdemper|absorber
+mass ratio: massaverhouding
+transmissibility: overdrachtsverhouding|transmissibiliteit
+frequency ratio: frequentieverhouding
+simple harmonic motion: harmonische (?:beweging|trilling)
 """

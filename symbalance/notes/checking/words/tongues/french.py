@@ -32,6 +32,8 @@ torque: couple (?:instantané|de torsion)|couple(?! de (?!torsion|serrage|rappel
 couple: couples?(?= (?:du |de )?(?:premier|second|deuxième))
 torques: couples
 inertia force: (?:force|effort)s? §inertie
+primary force: (?:force|effort)s? primaires?
+secondary force: (?:force|effort)s? secondaires?
 first order: (?:premier|1er) ordre|ordre (?:1|un)
 second order: (?:second|deuxième|2e|2ème) ordre|ordre (?:2|deux)
 fourth order: (?:quatrième|4e|4ème) ordre|ordre (?:4|quatre)
@@ -59,6 +61,7 @@ polar section modulus: module de résistance (?:polaire|(?:à la|en|de) torsion)
 section modulus in bending: module de résistance (?:à la|en|de) flexion
 section modulus: module de (?:résistance|flexion)
 shear modulus: module de (?:cisaillement|glissement|Coulomb)
+shear stress: contrainte (?:tangentielle|de cisaillement|de torsion)(?: maximale)?
 bending stress: contraintes? (?:normale )?(?:de|en) flexion
 torsional stress: contraintes? (?:de cisaillement )?(?:de|en) torsion
 equivalent stress: contrainte équivalente
@@ -110,6 +113,7 @@ top dead centre: point mort haut|PMH|p\.\s?m\.\s?h\.?
 bottom dead centre: point mort bas|PMB|p\.\s?m\.\s?b\.?
 dead centre: point mort
 radius of gyration: rayon (?:de giration|d'inertie)
+friction mean effective pressure: pression moyenne (?:effective )?(?:de|des) (?:frottements?|pertes)
 radius: rayon
 diameter: diamètre
 density: masse volumique
@@ -226,4 +230,29 @@ when: quand|lorsqu(?:e|')
 another: une? autre
 case: cas
 whereas: tandis qu(?:e|')|alors que
+static deflection: flèche statique|fléchissement statique
+deflection: flèche
+critical speed of bending: (?:vitesse|régime) critique de flexion|vitesse critique (?:en|de) flexion
+in the middle: (?:au|en son) milieu|à mi-(?:portée|longueur)
+simply supported: (?:simplement )?(?:appuyé\w*|sur deux appuis)
+bearings: paliers|roulements
+bearing: palier|roulement
+mass per length: masse (?:linéique|par unité de longueur)
+angular frequency: pulsations?(?! propres?| naturelle| amortie)
+diametrically opposite: diamétralement opposé\w*
+apart: distante?s? (?:de|l'une? de l'autre)
+along the axis: (?:le long|suivant la direction) de l'axe
+vibrates freely: oscille librement|vibre librement
+three discs: trois (?:disques|volants|masses)
+two-node mode: mode à deux nœuds
+absorber: amortisseur dynamique|amortisseur accordé|absorbeur(?: dynamique)?
+mass ratio: rapport des masses
+transmissibility: transmissibilité|facteur de transmission
+frequency ratio: rapport (?:des|de) (?:fréquences|pulsations)
+simple harmonic motion: mouvement (?:vibratoire )?(?:harmonique|sinusoïdal)(?: simple)?
+bifilar suspension: (?:suspension|pendule) bifilaire
+trifilar suspension: (?:suspension|pendule) trifilaire
+small oscillations: petites oscillations
+lag: retard de phase|déphasage en retard
+with their signs: avec leurs? signes?
 """

@@ -31,6 +31,8 @@ couple: coppi[ae](?= (?:del |di )?(?:primo|secondo))
 pair: coppi[ae] di (?:cilindri|pistoni|dischi|ruote|masse|alberi)
 inertia couple: (?:coppi[ae]|momenti?) d'inerzia(?= (?:del |di )?(?:primo|secondo|1|2))
 inertia force: (?:forz[ae]|sforz[oi]) (?:d'|di )inerzia
+primary force: forz[ae] primari[ae]
+secondary force: forz[ae] secondari[ae]
 first order: (?:primo|1°|1º) ordine|ordine (?:1|uno)
 second order: (?:secondo|2°|2º) ordine|ordine (?:2|due)
 fourth order: (?:quarto|4°|4º) ordine|ordine (?:4|quattro)
@@ -59,6 +61,7 @@ polar section modulus: modulo di resistenza (?:polare|a torsione)
 section modulus in bending: modulo di resistenza a flessione
 section modulus: modulo di resistenza
 shear modulus: modulo di (?:elasticità tangenziale|taglio|scorrimento)|modulo di elasticità a taglio
+shear stress: tensione (?:tangenziale|di taglio)(?: massima)?
 bending stress: (?:tensione|sollecitazione) (?:normale )?(?:di|da|a) flessione
 torsional stress: (?:tensione|sollecitazione) (?:tangenziale )?(?:di|da|a) torsione
 equivalent stress: (?:tensione|sollecitazione) (?:equivalente|ideale)
@@ -111,6 +114,8 @@ top dead centre: punto morto superiore|PMS|p\.\s?m\.\s?s\.?
 bottom dead centre: punto morto inferiore|PMI|p\.\s?m\.\s?i\.?
 dead centre: punto morto
 radius of gyration: raggio (?:d'inerzia|giratore|di girazione)
+friction mean effective pressure: pressione media (?:effettiva )?(?:di |d'|degli )attrit[oi]
+angle: angol[oi]
 radius: raggio
 diameter: diametro
 density: densità
@@ -173,7 +178,7 @@ about its diameter: rispetto a un diametro|attorno a un diametro
 is: è|vale|risulta
 are: sono|valgono
 at the: al
-the: il|lo|la|gli|le|l'
+the: il|lo|la|gli|le|l'|i(?= \w{3,}i\b)
 a: una|uno|un
 of: della|dello|dell'|del|dei|delle|degli|di|d'
 and: ed
@@ -223,4 +228,27 @@ when: quando
 another: un altro|un'altra
 case: caso
 whereas: mentre
+static deflection: (?:freccia|inflessione|deflessione) statica
+deflection: freccia|inflessione
+critical speed of bending: velocità critica (?:flessionale|di flessione|a flessione)
+in the middle: a metà(?= d)|in mezzeria|al centro|nel mezzo
+simply supported: (?:semplicemente )?appoggiat\w*
+bearings: cuscinetti|supporti
+bearing: cuscinetto|supporto
+mass per length: massa per unità di lunghezza|massa lineica
+angular frequency: pulsazion[ei](?! (?:propri|natural|smorzat))
+diametrically opposite: diametralmente oppost\w*
+vibrates freely: oscilla liberamente|vibra liberamente
+three discs: tre (?:dischi|volani|masse|inerzie)
+two-node mode: modo (?:a|con) due nodi
+absorber: assorbitore(?: dinamico)?|smorzatore dinamico
+mass ratio: rapporto (?:di|delle|fra le|tra le) masse
+transmissibility: trasmissibilità
+frequency ratio: rapporto (?:di|delle|fra le|tra le) (?:frequenze|pulsazioni)
+simple harmonic motion: moto armonico(?: semplice)?
+bifilar suspension: (?:sospensione|pendolo) bifilare
+trifilar suspension: (?:sospensione|pendolo) trifilare
+small oscillations: piccole oscillazioni
+lag: ritardo(?: di fase)?
+with their signs: col (?:loro|proprio) segno|con segno
 """

@@ -201,4 +201,14 @@ when: gdy|kiedy
 another: inn(?:y|a|e|ego|ej)
 case: przypad\w+
 whereas: natomiast|podczas gdy
+static deflection: ugięci\w+ statyczn\w+
+deflection: ugięci\w+
+in the middle: w (?:połowie|środku)
+bearings: łożysk\w+
+mass per length: mas\w+ (?:jednostki|na jednostkę) długości
+three discs: trzy tarcze|trzech tarcz
+absorber: (?:dynamiczn\w+ )?(?:eliminator\w* drgań|tłumik\w* dynamiczn\w+)
+mass ratio: stosun\w+ mas
+frequency ratio: stosun\w+ częstości
+simple harmonic motion: ruch\w* harmoniczn\w+
 """

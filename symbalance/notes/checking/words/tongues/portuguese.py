@@ -28,6 +28,8 @@ bending moment: momento flec?tor
 torque: torque|binário(?! de (?!torção))|momento torsor|momento de torção
 inertia couple: (?:binário|momento|conjugado)s? de inércia(?= (?:de )?(?:primeira|segunda|1|2))
 inertia force: forças? de inércia
+primary force: forças? primárias?
+secondary force: forças? secundárias?
 first order: (?:primeira|1ª) ordem|ordem (?:1|um)
 second order: (?:segunda|2ª) ordem|ordem (?:2|dois)
 fourth order: (?:quarta|4ª) ordem|ordem (?:4|quatro)
@@ -48,6 +50,7 @@ polar section modulus: módulo de resistência (?:polar|à torção)
 section modulus in bending: módulo de resistência à flexão
 section modulus: módulo de resistência
 shear modulus: módulo de (?:cisalhamento|elasticidade transversal|corte)
+shear stress: tensão (?:de cisalhamento|tangencial|cisalhante)(?: máxima)?
 bending stress: tensão (?:normal )?(?:de|por|na|devida à) flexão
 torsional stress: tensão (?:de cisalhamento |tangencial )?(?:de|por|na|devida à) torção
 equivalent stress: tensão equivalente
@@ -99,6 +102,7 @@ top dead centre: ponto morto superior|PMS|p\.\s?m\.\s?s\.?
 bottom dead centre: ponto morto inferior|PMI|p\.\s?m\.\s?i\.?
 dead centre: ponto morto
 radius of gyration: raio de giração
+angle: ângulos?
 radius: raio
 diameter: diâmetro
 density: densidade|massa específica
@@ -208,4 +212,27 @@ when: quando
 another: outr[oa]
 case: caso
 whereas: enquanto
+static deflection: (?:flecha|deflexão) estática
+deflection: flecha|deflexão
+critical speed of bending: velocidade crítica (?:de|à) flexão
+in the middle: no (?:centro|meio)|a meio d\w*
+simply supported: (?:simplesmente|bi-?)\s?apoiad\w*|apoiad\w*
+bearings: mancais|apoios|rolamentos
+bearing: mancal|apoio|rolamento
+mass per length: massa por unidade de comprimento
+angular frequency: frequência angular(?! (?:natural|própria|amortecida))|pulsação(?! própria)
+diametrically opposite: diametralmente opost\w*
+vibrates freely: oscila livremente|vibra livremente
+three discs: três (?:discos|volantes|massas)
+two-node mode: modo (?:de|com) dois nós
+absorber: absorvedor(?: dinâmico)?
+mass ratio: (?:razão|relação) de massas
+transmissibility: transmissibilidade
+frequency ratio: (?:razão|relação) de frequências
+simple harmonic motion: movimento harmônico(?: simples)?
+bifilar suspension: (?:suspensão|pêndulo) bifilar
+trifilar suspension: (?:suspensão|pêndulo) trifilar
+small oscillations: pequenas oscilações
+lag: atraso(?: de fase)?
+with their signs: com (?:o )?seus? sina(?:l|is)
 """

@@ -31,6 +31,8 @@ couple: par(?= de (?:primer|segundo))|par de fuerzas
 pair: par de (?:cilindros|pistones|discos|ruedas|masas|ejes)|pareja
 inertia couple: (?:par|momento)s? de inercia(?= (?:de )?(?:primer|segundo|1|2))
 inertia force: (?:fuerza|esfuerzo)s? de inercia
+primary force: fuerzas? primarias?
+secondary force: fuerzas? secundarias?
 first order: (?:primer|1er) orden|orden (?:1|uno)
 second order: (?:segundo|2º|2\.º) orden|orden (?:2|dos)
 fourth order: (?:cuarto|4º|4\.º) orden|orden (?:4|cuatro)
@@ -57,6 +59,8 @@ polar section modulus: módulo (?:resistente )?(?:polar|a (?:la )?torsión|de to
 section modulus in bending: módulo resistente a (?:la )?flexión
 section modulus: módulo resistente|módulo de la sección
 shear modulus: módulo de (?:cizalladura|cortadura|rigidez|corte)
+shear stress: (?:tensión|esfuerzo) (?:cortante|tangencial|de (?:cortadura|cizalladura))(?: máxim[ao])?
+shear stress: (?:tensión|esfuerzo) máxim[ao] de (?:cortadura|cizalladura)
 bending stress: (?:tensión|esfuerzo) (?:normal )?(?:de|por|a) flexión
 torsional stress: (?:tensión|esfuerzo) (?:cortante |tangencial )?(?:de|por|a) torsión
 equivalent stress: (?:tensión|esfuerzo) equivalente
@@ -110,6 +114,8 @@ top dead centre: punto muerto superior|PMS|p\.\s?m\.\s?s\.?
 bottom dead centre: punto muerto inferior|PMI|p\.\s?m\.\s?i\.?
 dead centre: punto muerto
 radius of gyration: radio de (?:giro|inercia)
+friction mean effective pressure: presión media (?:efectiva )?de (?:fricción|rozamientos?|pérdidas)
+angle: ángulos?
 radius: radio
 diameter: diámetro
 density: densidad
@@ -222,4 +228,27 @@ when: cuando
 another: otr[oa]
 case: caso
 whereas: mientras que
+static deflection: (?:flecha|deflexión|deformación) estática
+deflection: flecha|deflexión
+critical speed of bending: velocidad crítica (?:de|a) flexión
+in the middle: en (?:el|su) (?:centro|medio)|a mitad de
+simply supported: simplemente apoyad\w*|apoyad\w* en sus extremos
+bearings: cojinetes|apoyos|rodamientos
+bearing: cojinete|apoyo|rodamiento
+mass per length: masa por unidad de longitud|masa lineal
+angular frequency: pulsación|frecuencia (?:angular|circular)(?! (?:natural|propia|amortiguada))
+diametrically opposite: diametralmente opuest\w*
+vibrates freely: oscila libremente|vibra libremente
+three discs: tres (?:discos|volantes|masas|inercias)
+two-node mode: modo (?:de|con) dos nodos
+absorber: absorbedor(?: dinámico)?|amortiguador dinámico
+mass ratio: (?:razón|relación|cociente) de masas
+transmissibility: transmisibilidad
+frequency ratio: (?:razón|relación|cociente) de frecuencias
+simple harmonic motion: movimiento armónico(?: simple)?
+bifilar suspension: (?:suspensión|péndulo) bifilar
+trifilar suspension: (?:suspensión|péndulo) trifilar
+small oscillations: pequeñas oscilaciones
+lag: retraso(?: de fase)?|desfase en retraso
+with their signs: con su signo|con sus signos
 """

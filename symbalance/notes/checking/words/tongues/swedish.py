@@ -198,4 +198,15 @@ when: när
 another: en annan|ett annat
 case: fall(?:et)?
 whereas: medan
+static deflection: statisk\w* (?:nedböjning|utböjning|nedsjunkning)
+deflection: nedböjning\w*|utböjning\w*
+in the middle: på mitten|i mitten
+bearings: lager(?:na)?
+mass per length: massa per (?:längdenhet|meter)
+angular frequency: vinkelfrekvens\w*
+three discs: tre (?:skivor|massor|svänghjul)
+absorber: svängningsdämpare|dynamisk dämpare
+mass ratio: massförhållande\w*
+frequency ratio: frekvensförhållande\w*
+simple harmonic motion: harmonisk (?:rörelse|svängning)
 """
