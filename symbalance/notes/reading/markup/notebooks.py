@@ -42,7 +42,9 @@ def notebook_text(source: str, name: str) -> str:
             "is no notebook: it has no list of cells" if cells is None else f"has over {MOST_CELLS} cells"
         )
         raise SymbalanceError(name, rule, "save it again with Jupyter, as format 4")
-    return "\n\n".join(_cell_text(cell, number, name) for number, cell in enumerate(cells, 1))
+    texts = (_cell_text(cell, number, name) for number, cell in enumerate(cells, 1))
+    between = (f"\n{_output_mark(cell)}\n" for cell in cells)  # printed or not, one line
+    return "".join(part for pair in zip(texts, between, strict=True) for part in pair).rstrip("\n")
 
 
 def _cells(notebook: Any) -> list[Any] | None:
@@ -74,15 +76,21 @@ def _cell_text(cell: Any, number: int, name: str) -> str:
         return f"{head}\n\n{shown}"
     fence = max(["```", *_FENCE.findall(source)], key=len)
     fence += "`" if fence in source else ""
+    return f"{head}\n{fence}code\n{source}\n{fence}"
+
+
+def _output_mark(cell: Any) -> str:
+    """Return the line between a cell and the next one, which says how many relations it printed."""
     printed = len(RELATION.findall(_printed(cell)))
-    below = f"\n<!-- output: {printed} relation signs -->" if printed else ""
-    return f"{head}\n{fence}code\n{source}\n{fence}{below}"
+    return f"<!-- output: {printed} relation signs -->" if printed else ""
 
 
 def _printed(cell: Any) -> str:
     """Return what the program of a cell printed, as the reader of the notebook sees it."""
     parts: list[Any] = []
-    outputs = cell.get("outputs")
+    outputs = cell.get("outputs") if cell.get("cell_type") == "code" else ()
+    if _SHOWN.match("".join(map(str, cell.get("source", "")))):
+        return ""  # %%latex: the output is the cell again
     for output in outputs if isinstance(outputs, list) else ():
         if not isinstance(output, dict):
             continue
