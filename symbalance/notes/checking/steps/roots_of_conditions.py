@@ -234,7 +234,8 @@ def _decide_root(
     value = chain.sides[1].node
     knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
     formulas = _formulas(knowledge)
-    values = {n: d.node for n, d in formulas.items()}
+    own = {letter, *(names(chain.sides[0].node))}
+    values = {n: d.node for n, d in formulas.items() if n not in own}  # c = cos θ says what c is
     if letter in names(value) or not {*letters_behind(value, values)} <= {*names_behind(left, values)}:
         return None
     has_signs = any(isinstance(part, PlusMinus) for part in walk(value))
