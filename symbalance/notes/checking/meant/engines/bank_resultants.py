@@ -265,6 +265,8 @@ class BankResultants:
             return None
         (order,) = orders
         before, above = claims.words_before(chain)
+        if self._stands_behind_another(chain):
+            return None  # F_y = …, F_x = …: the direction in words is the first one's
         words = before if direction_in(before) else f"{above} {before}"
         letters = names(chain.sides[1].node)
         angle = angle_in(section, letters)
@@ -284,6 +286,12 @@ class BankResultants:
         is_part = any(p.search(own) for p in (_OF_MORE, _OF_LESS, _ALONE))
         angle = angle or BankAngle("", number * pi / 360)
         return _Said(order, direction, angle, number, " ".join(words.split()), not is_part)
+
+    def _stands_behind_another(self, chain: Chain) -> bool:
+        """Tell whether a formula stands right behind another one, with no word between."""
+        above = self.resultants.claims.sections.chain_before(chain.start)
+        between = "" if above is None else self._text[above.end : chain.start]
+        return above is not None and re.search(r"[^\W\d_]", re.sub(r"\\[A-Za-z]+", "", between)) is None
 
     def _angle_in_words(self, chain: Chain, letters: frozenset[str]) -> int:
         """Return the degrees between the banks that the words near a formula name; 0 for none."""

@@ -25,6 +25,11 @@ _UPRIGHT = re.compile(
 _VERTICAL = re.compile(
     r"\b(?:vertical|senkrecht|lotrecht|vertikal)\w*|鉛直(?:な)?|垂直(?:な)?", re.IGNORECASE
 )
+_FROM_VERTICAL = re.compile(
+    r"\b(?:to|from|against|gegen|zu[rm]?|von)\s+(?:the\s+|die\s+|der\s+)?(?:vertical|senkrechten?|lotrechten?|vertikalen?)\b",
+    re.IGNORECASE,
+)
+"""From where an angle is counted: ± γ/2 to the vertical is no vertical force."""
 _NORMAL = (
     r"(?:perpendicular(?:e|mente)?|normal[e]?|at\s+right\s+angles|transverse(?:ly)?|across|senkrecht|quer|rechtwinklig"
     r"|perpendiculaire(?:ment)?|orthogonal\w*|ortogonal\w*)"
@@ -79,7 +84,7 @@ def direction_in(words: str) -> str:
     >>> direction_in("the horizontal component, the bisector being vertical")
     'sin'
     """
-    bare = _UPRIGHT.sub(lambda m: re.sub(_VERTICAL, "", m[0]), words)
+    bare = _FROM_VERTICAL.sub(" ", _UPRIGHT.sub(lambda m: re.sub(_VERTICAL, "", m[0]), words))
     across = _ACROSS.search(bare) is not None
     along = _ALONG.search(_ACROSS.sub(" ", bare)) is not None
     return "" if along == across else ACROSS if across else ALONG
