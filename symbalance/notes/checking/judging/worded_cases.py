@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from itertools import islice
 
-from symbalance.document.formula import Name
+from symbalance.document.formula import Name, names
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import Decision
@@ -76,9 +77,10 @@ def _several_numbers(state: JudgingState, chain: Chain, k: int) -> dict[str, tup
     nodes = {**knowledge.meaning.values, **{name: d.node for name, d in known.items()}}
     behind = {n for side in chain.sides[k : k + 2] for n in names_behind(side.node, nodes)}
     several: dict[str, tuple[list[Chain], int]] = {}
-    for name in sorted(behind & known.keys()):
-        above = [c for c in state.sections.chains_above(Name(name), chain.start) if sets_number(c)]
-        above = [c for c in above if c.sides[1].span[0] not in state.refuted][-MOST:]
+    for name in sorted(n for n in behind & known.keys() if not names(known[n].node)):
+        every = reversed(state.sections.chains_above(Name(name), chain.start))
+        last = (c for c in every if sets_number(c) and c.sides[1].span[0] not in state.refuted)
+        above = [*islice(last, MOST)][::-1]
         values = [c.sides[1].node for c in above]
         if known[name].node in values and len(set(values)) > 1:
             several[name] = above, len(values) - 1 - values[::-1].index(known[name].node)

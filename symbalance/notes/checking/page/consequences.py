@@ -60,11 +60,11 @@ def decide_consequence(
     Else the decision as it is.
     """
     follows = sections.is_consequence(chain) and sections.follows_at_once(chain)
-    follows = follows or _is_given_by_range(document, chain)
+    follows = follows or _is_given_by_range(sections, chain)
     is_converse = sections.is_converse(chain)
     # a rate follows from how a quantity is defined, not from one of its values
     is_rate = any(isinstance(part, Derivative) for side in chain.sides for part in walk(side.node))
-    before = _before(document, chain) if (follows or is_converse) and not is_rate else None
+    before = sections.chain_before(chain.start) if (follows or is_converse) and not is_rate else None
     if before is None or not (_is_one_statement(before) and _is_one_statement(chain)):
         return decision
     sign, first = chain.relations[k].sign, before.relations[0].sign
@@ -81,13 +81,13 @@ def decide_consequence(
     return judged
 
 
-def _is_given_by_range(document: ReadNotes, chain: Chain) -> bool:
+def _is_given_by_range(sections: Sections, chain: Chain) -> bool:
     """Tell whether a range stands right behind one that is said to give it: 3 - 2x < 7 gives x > -2."""
-    before = _before(document, chain)
+    before = sections.chain_before(chain.start)
     if before is None or not before.letters >= chain.letters or len(chain.letters) != 1:
         return False
     is_range = all(r.sign in SATISFIED_BY for c in (before, chain) for r in c.relations)
-    return is_range and _GIVES.fullmatch(document.text, before.end, chain.start) is not None
+    return is_range and _GIVES.fullmatch(sections.document.text, before.end, chain.start) is not None
 
 
 def _is_one_statement(chain: Chain) -> bool:
@@ -116,12 +116,6 @@ def _converse(before: Chain, chain: Chain, decision: Decision, knowledge: Knowle
 
 def _not_from_it(earlier: StatedRange) -> str:
     return f"{earlier.text} does not follow from it"
-
-
-def _before(document: ReadNotes, chain: Chain) -> Chain | None:
-    start = chain.start
-    earlier = [c for c in document.chains if max(s.span[1] for s in c.sides) <= start and c.relations]
-    return max(earlier, key=lambda c: c.sides[-1].span[1], default=None)
 
 
 def _stated(chain: Chain, k: int = 0) -> StatedRange:

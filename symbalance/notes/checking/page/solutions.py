@@ -55,11 +55,10 @@ def turned_letters(document: ReadNotes) -> frozenset[str]:
     )
 
 
-def chains_below(chains: tuple[Chain, ...], chain: Chain) -> Iterator[Chain]:
+def chains_below(sections: Sections, chain: Chain) -> Iterator[Chain]:
     """Yield the chains that follow one in the text, in its order, as far as they stand near."""
     start = chain.sides[-1].span[0]
-    after = [c for c in chains if c.sides[0].span[0] > start and c.relations]
-    for other in sorted(after, key=lambda c: c.sides[0].span[0]):
+    for other in sections.chains_behind(start):
         if other.lines[0] > chain.lines[-1] + NEAR:
             return
         yield other
@@ -68,7 +67,7 @@ def chains_below(chains: tuple[Chain, ...], chain: Chain) -> Iterator[Chain]:
 def solution_behind_arrow(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
     """Return the chain that gives an equation's solution behind an arrow, None where none does."""
     behind = sections.document.text[chain.sides[1].span[1] :][:LONGEST_ARROW]
-    other = next(chains_below(sections.document.chains, chain), None)
+    other = next(chains_below(sections, chain), None)
     if other is None or len(chain.relations) != 1 or not _SOLVED_NEXT.match(behind):
         return None
     return other if _may_be_solved_for(other, chain, knowledge) else None
@@ -76,7 +75,7 @@ def solution_behind_arrow(sections: Sections, chain: Chain, knowledge: Knowledge
 
 def solution_behind_words(sections: Sections, chain: Chain, knowledge: Knowledge) -> Chain | None:
     """Return the chain that gives an equation's solution in the same sentence: 2n/60 = f, so n = 30 f."""
-    other = next(chains_below(sections.document.chains, chain), None)
+    other = next(chains_below(sections, chain), None)
     if other is None or len(chain.relations) != 1:
         return None
     between = sections.document.text[chain.sides[1].span[1] : other.sides[0].span[0]]
@@ -93,7 +92,7 @@ def solution_in_sentence(sections: Sections, chain: Chain, knowledge: Knowledge)
         return None
     text, place = sections.document.text, chain.sides[1].span[1]
     own = names(chain.sides[0].node)
-    for other in chains_below(sections.document.chains, chain):
+    for other in chains_below(sections, chain):
         if _SENTENCE_ENDS.search(text, place, other.sides[0].span[0]):
             return None
         if _may_be_solved_for(other, chain, knowledge):
@@ -131,7 +130,7 @@ def solution_below(sections: Sections, chain: Chain, knowledge: Knowledge) -> Ch
         return None
     own = names(chain.sides[0].node) | names(chain.sides[1].node)
     values = {name: definition.node for name, definition in knowledge.definitions.items()}
-    for other in chains_below(sections.document.chains, chain):
+    for other in chains_below(sections, chain):
         head, value = other.sides[0].node, other.sides[1].node
         if not _may_be_solved_for(other, chain, knowledge) or not isinstance(head, Name):
             break

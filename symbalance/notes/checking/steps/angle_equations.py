@@ -97,7 +97,7 @@ def unless_solved_for_wave(state: JudgingState, chain: Chain, k: int, verdict: V
 
     4 λ cos θ + 1 = 0 gives cos θ = -1/(4λ). With that put in it is to be true.
     """
-    following = next(chains_below(state.document.chains, chain), None)
+    following = next(chains_below(state.sections, chain), None)
     is_open = verdict.verdict == REFUTED and not k and len(chain.relations) == 1
     if not is_open or following is None or not following.relations:
         return verdict
@@ -148,7 +148,7 @@ def _letter_asked_for(chain: Chain, k: int) -> str:
 
 def _value_behind(state: JudgingState, chain: Chain, name: str) -> Chain | None:
     """Return the chain that gives an angle its value right behind an equation, said to be its result."""
-    following = next(chains_below(state.document.chains, chain), None)
+    following = next(chains_below(state.sections, chain), None)
     if following is None or following.relations[0].sign not in "=≈":
         return None
     head, end = following.sides[0].node, chain.end

@@ -121,7 +121,7 @@ def _turns_to_angle(state: JudgingState, chain: Chain, following: Chain) -> bool
 
 def _next(state: JudgingState, chain: Chain) -> Chain | None:
     """Return the chain that follows in the text, if it stands near."""
-    return next(chains_below(state.document.chains, chain), None)
+    return next(chains_below(state.sections, chain), None)
 
 
 def _angles(state: JudgingState, chain: Chain) -> set[str]:

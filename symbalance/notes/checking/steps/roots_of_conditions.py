@@ -145,9 +145,8 @@ def _equation_above(
     text, line = state.document.text, chain.lines[0]
     stem, _, index = name.partition("_")
     unknowns = {name, stem} if _INDEX.fullmatch(index) else {name}
-    above = [c for c in state.document.chains if c.end <= chain.start and c.relations]
     place, words = chain.start, ""
-    for other in sorted(above, key=lambda c: c.start, reverse=True):
+    while (other := state.sections.chain_before(place)) is not None:
         if chain.start - other.end > FARTHEST or not state.sections.same_section(other.lines[0], line):
             return None
         between = text[other.end : place]

@@ -41,7 +41,7 @@ def as_balance(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) 
     right = chain.sides[1].node
     if not (isinstance(right, Number) and not right.value):
         return None
-    following = next(chains_below(state.document.chains, chain), None)
+    following = next(chains_below(state.sections, chain), None)
     formulas = knowledge.formulas
     if following is None or not _solves(following, chain, formulas, state, knowledge):
         return None

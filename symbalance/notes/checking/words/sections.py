@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import accumulate
+from itertools import accumulate, islice
 
 from symbalance.document.formula import Call, Constant, Formula, Name, Number, names, walk
 from symbalance.document.letters import is_greek
@@ -413,6 +413,11 @@ class Sections:
         ends, chains = self._by_end
         before = bisect_right(ends, place)
         return chains[before - 1] if before else None
+
+    def chains_behind(self, place: int) -> Iterator[Chain]:
+        """Yield the relations that begin behind a place, in the order of the text."""
+        starts, chains = self._by_start
+        return (c for c in islice(chains, bisect_right(starts, place), None) if c.relations)
 
     @cached_property
     def _by_end(self) -> tuple[list[int], list[Chain]]:
