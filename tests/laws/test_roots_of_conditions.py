@@ -70,6 +70,8 @@ BESIDE = [
     f"{BEATS}. The reference frequency is $\\omega_0^2 = k/m$.\n",
     f"{BEATS}. Set $\\omega_1 = \\sqrt{{k/m}}$.\n",
     f"{BEATS}. Für schwache Kopplung ist $\\omega^2 = k/m$.\n",
+    r"$2\lambda c^2 + c - \lambda = 0$, $c = \cos\theta$" + "\n",
+    "$$F_1 + F_2 = 0$$\n\n$$F_1 = \\cos\\theta$$\n\n$$F_2 = -\\cos\\theta$$\n",
     "$m\\omega^2 - k = 0$\n\nThe driving frequency is $\\omega_2 = 2\\sqrt{k/m}$.\n",
 ]
 

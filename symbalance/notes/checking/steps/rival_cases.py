@@ -108,8 +108,12 @@ class RivalCases:
         inner = [text[a.end : b.start] for a, b in pairwise(group)]
         is_or = any(re.search(_OR, words, re.IGNORECASE) for words in inner)
         is_of_letters = all(names(s.node) for c in group for s in c.sides)
-        is_told = is_or or _ALTERNATIVES.search(before) is not None
-        return is_told and (is_about_order or (is_or and is_of_letters))
+        is_named = _ALTERNATIVES.search(before) is not None
+        if is_about_order or not is_or:
+            return is_about_order and (is_or or is_named)
+        # l sin β = r sin φ, or sin β = λ sin φ says one thing twice
+        is_of_one = len({chain.sides[0].node for chain in group}) == 1
+        return is_of_letters and (is_named or is_of_one)
 
     def _is_item(self, chain: Chain) -> bool:
         """Tell whether an item of a list, or a row of a table, begins with a relation."""
