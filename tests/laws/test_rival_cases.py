@@ -34,7 +34,7 @@ AT_ODDS = [
 
 
 def test_an_or_between_two_ways_to_write_one_law_leaves_both():
-    page = r"$\lambda = r/l$. The rod angle follows from $l\sin\beta = r\sin\theta$, or $\sin\beta = \lambda\sin\theta$."
+    page = r"$\lambda = r/l$. We have $l\sin\beta = r\sin\theta$, or $\sin\beta = \lambda\sin\theta$."
     assert [link["verdict"] for link in sb.check(page, {}).data()["links"]][-1] == "holds"
 
 
