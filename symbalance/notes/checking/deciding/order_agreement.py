@@ -42,6 +42,7 @@ HIGHEST_ORDER = 40
 HIGHEST_NAMED = 26
 """An order beyond it says only that all powers written agree."""
 NO_LETTER = "no letter in which one side is a cut-off series"
+ADDED = "agrees through the order of one side only; nothing gives the terms that the other adds"
 IS_SMALL, IS_LARGE = " is small", " is large"
 LARGEST_PART = 16
 """The parts that a whole is divided into where a fraction stands for a decimal: 0.374 ≈ 3/8."""
@@ -171,6 +172,8 @@ def _at_level(
             decision = agreement_through(first, second, small, level, loose, with_witness=is_first)
         except (NoFormError, TooLargeError) as problem:
             decision = Decision(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
+        if decision.is_proved and through is None and _adds_terms(first, second, small):
+            decision = Decision(UNDECIDED, ADDED, level=level, left=first, right=second)
         if decision.is_proved:
             is_series = loose or through is not None  # with dots, or an order that is named
             return decision if is_series else _with_its_assumption(decision, small, knowledge)
@@ -260,6 +263,15 @@ def _candidates(
             order = _order_kept(first, second, letter, sign)
             if order and (usual is None or letter != usual[0]):
                 yield SmallLetter(letter, sign, order)
+
+
+def _adds_terms(first: Form, second: Form, small: SmallLetter) -> bool:
+    """Tell whether the right side goes on in the small letter where the left one ends as it is.
+
+    A polynomial on the left is exact: sin θ is not roughly sin θ + λ cos θ, whatever is small.
+    """
+    kept, written = (degree(form, small.letter, small.sign) for form in (first, second))
+    return kept is not None and written is not None and kept < written
 
 
 def _order_kept(first: Form, second: Form, letter: str, sign: int) -> int | None:

@@ -9,8 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate, islice
 
-from symbalance.document.formula import Call, Constant, Formula, Name, Number, names, walk
-from symbalance.document.letters import is_greek
+from symbalance.document.formula import Call, Formula, Name, Number, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.words import case_words
 from symbalance.notes.checking.words.bodies_named import body_named
@@ -25,6 +24,7 @@ from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
+from symbalance.notes.checking.words.running_angles import RunningAngles, angle_placed
 from symbalance.notes.checking.words.table_cells import TableCells, cells_of
 from symbalance.notes.checking.words.value_groups import in_next_groups
 from symbalance.notes.checking.words.working_cycles import (
@@ -568,12 +568,19 @@ class Sections:
             return None
         end = chain.end
         is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
-        if is_case and is_number and _is_place(chain):
+        is_place = is_number and (
+            angle_placed(chain) != "" if is_case else self._running.is_at_place(chain)
+        )
+        if is_place:
             if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
                 return self.case_end(line)  # in UT, α = 180°: what its lines say
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
+
+    @cached_property
+    def _running(self) -> RunningAngles:
+        return RunningAngles(self.in_order)
 
     @cached_property
     def _engine_rows(self) -> frozenset[int]:
@@ -1174,15 +1181,6 @@ def dead_centre_named(words: str) -> bool | None:
         if not _FROM.search(words, max(match.start() - 16, 0), match.start())
     ]
     return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
-
-
-def _is_place(chain: Chain) -> bool:
-    """Tell whether a relation puts an angle, by its Greek letter, at 0 or at so many degrees or π."""
-    letters = [side.node for side in chain.sides if isinstance(side.node, Name)]
-    values = [part for side in chain.sides for part in walk(side.node)]
-    is_angle = any(isinstance(part, Constant) and part.name == "pi" for part in values)
-    is_zero = any(isinstance(side.node, Number) and not side.node.value for side in chain.sides)
-    return any(is_greek(letter.name) for letter in letters) and (is_angle or is_zero)
 
 
 def _gives(chain: Chain, name: str) -> bool:

@@ -1,0 +1,63 @@
+r"""Angles that run: in the middle of the stroke, θ = 90°, is one place of the crank and not what θ is.
+
+A letter that stood in a sine or cosine above takes every value there. The number that a sentence gives
+it later is that of a moment and ends with its section, whatever words stand before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from symbalance.document.formula import Call, Constant, Name, Number, names, walk
+from symbalance.document.letters import is_greek
+from symbalance.notes.reading.equations import Chain
+
+_WAVES = ("sin", "cos", "tan")
+_RUNNING = frozenset({"theta", "vartheta", "phi", "varphi", "psi"})
+"""Letters of crank and rod angles; another Greek letter runs where the page gives it several values."""
+
+
+class RunningAngles:
+    """The letters within waves of a page, each with the place where it first stands there."""
+
+    def __init__(self, in_order: Sequence[Chain]) -> None:
+        self._chains = in_order
+
+    def is_at_place(self, chain: Chain) -> bool:
+        """Tell whether a relation gives an angle that runs above it one of its values."""
+        name = angle_placed(chain)
+        if not name or self._first_waves.get(name, chain.start) >= chain.start:
+            return False
+        return name in _RUNNING or len(self._places.get(name, ())) > 1
+
+    @cached_property
+    def _first_waves(self) -> dict[str, int]:
+        first: dict[str, int] = {}
+        for chain in self._chains:
+            waves = (
+                part
+                for side in chain.sides
+                for part in walk(side.node)
+                if isinstance(part, Call) and part.function in _WAVES
+            )
+            for name in {n for wave in waves for n in names(wave.argument)}:
+                first.setdefault(name, chain.start)
+        return first
+
+    @cached_property
+    def _places(self) -> dict[str, set[object]]:
+        places: dict[str, set[object]] = {}
+        for chain in self._chains:
+            if name := angle_placed(chain):
+                places.setdefault(name, set()).add(chain.sides[-1].node)
+        return places
+
+
+def angle_placed(chain: Chain) -> str:
+    """Return the Greek letter that a relation puts at 0 or at so many degrees or π; "" for others."""
+    letters = [s.node.name for s in chain.sides if isinstance(s.node, Name) and is_greek(s.node.name)]
+    values = [part for side in chain.sides for part in walk(side.node)]
+    is_angle = any(isinstance(part, Constant) and part.name == "pi" for part in values)
+    is_zero = any(isinstance(side.node, Number) and not side.node.value for side in chain.sides)
+    return letters[0] if letters and (is_angle or is_zero) else ""
