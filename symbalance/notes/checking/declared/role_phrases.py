@@ -22,6 +22,7 @@ PHRASES: Mapping[str, tuple[str, ...]] = {
         "crank turned through the angle", "crank turns through the angle",
         "crank has turned by the angle", "crank has turned by an angle",
         "crank angle", "crankshaft angle", "angle of the crankshaft", "angle of the crank",
+        "angle of the first crank", "Winkel der Kurbel", "Winkel der ersten Kurbel", "クランクの角度",
         "angle of rotation of the crank", "crank turns at", "crank is at", "Kurbelwinkel",
         "Drehwinkel der Kurbel", "クランクシャフトの角度", "クランク軸の角度", "クランク角度",
         "クランク角", "クランク回転角", "クランクの回転角",

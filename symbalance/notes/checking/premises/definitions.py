@@ -137,6 +137,7 @@ class Definitions:
         own = line if self.sections.is_labelled_item(line) else None
         end = min((n for n in (end, last, own) if n is not None), default=None)
         end = end if names(node) else self._within_place(line, end)
+        end = self._within_moment(name, node, chain, end)
         self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
         self._note_case(chain, frozenset({name}))
         return last_line is not None
@@ -173,6 +174,7 @@ class Definitions:
         last_line = self.sections.premise_end(chain, is_number=not names(node))
         if not names(node):
             last_line = self._within_place(line, last_line)
+        last_line = self._within_moment(constraint.name, node, chain, last_line)
         self._add(constraint.name, Entry(definition, scopes, last_line))
 
     def mark_as_rough(self, name: str, line: int) -> None:
@@ -375,7 +377,10 @@ class Definitions:
         symbols = self.declarations.symbols_at(premise.line)
         roles = {role_of(symbols.get(n, "")) for n in premise.names}
         is_motion = bool(roles & {*_OF_CRANK_ANGLE}) and roles <= {*_OF_CRANK_ANGLE, *CONSTANT}
-        is_moment = (
+        behind = {n for side in (premise.left, premise.right) for n in names_behind(side, self._nodes())}
+        is_moment = any(
+            self.sections.running.is_of_a_moment(n, behind, chain.start) for n in premise.names
+        ) or (
             len(premise.names & angles) == 1
             and not names(premise.right)
             and roles <= {*_OF_CRANK_ANGLE, *CONSTANT, "crank angle"}
@@ -414,6 +419,19 @@ class Definitions:
             last_line = self._within_place(chain.lines[0], last_line)
         return Premise(left, right, chain.lines[0], EVERYWHERE if last_line is None else last_line)
 
+    def _nodes(self) -> dict[str, Formula]:
+        return {name: entries[-1].definition.node for name, entries in self.values.items()}
+
+    def _within_moment(self, name: str, node: Formula, chain: Chain, last: int | None) -> int | None:
+        """Return where a letter's value ends: that of an angle which runs ends with its section."""
+        values = {n: value for n, value in self._nodes().items() if n != name}
+        if not names(node) or not self.sections.running.is_of_a_moment(
+            name, {*names_behind(node, values)}, chain.start
+        ):
+            return last
+        end = self.sections.section_end(chain.lines[0])
+        return end if last is None else min(last, end)
+
     def _within_place(self, line: int, last_line: int | None) -> int | None:
         """Return where a number ends, which is no later than the section that an angle heads."""
         ends = [n for n in (last_line, self.sections.end_of_angle_headed(line)) if n is not None]
@@ -421,8 +439,7 @@ class Definitions:
 
     def end_of_place(self, node: Formula, line: int) -> int | None:
         """Return where the angle ends at which a formula has a value: x = 6.71 at θ = 90° of item b)."""
-        values = {name: entries[-1].definition.node for name, entries in self.values.items()}
-        for name in {*names_behind(node, values)} & set(self.values):
+        for name in {*names_behind(node, self._nodes())} & set(self.values):
             for entry in self.values[name]:
                 first, last = entry.definition.line, entry.last_line
                 if last is not None and first <= line <= last < self.sections.section_end(first):

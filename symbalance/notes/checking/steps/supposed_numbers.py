@@ -16,12 +16,12 @@ _LONGEST = 160
 """Characters before a number in which its sentence begins."""
 _SENTENCE_END = re.compile(r"(?<!i\.e)(?<!e\.g)(?<!d\.h)(?<!z\.B)[.!?]\s|[。]|\n\s*\n")
 _SUPPOSED = re.compile(
-    r"(?<![^\W\d_])(?:if\s[^.;]{0,60}\swere|were\s[^.;]{0,20}\s(?:equal|to\s+be|only)|suppos\w+|imagin\w+|would|wäre\w*|hätte\w*"
-    r"|würde\w*|angenommen|si\s[^.;]{0,40}(?:était|valait)|supposons|serait|se\s[^.;]{0,40}\sfosse|supponiamo"
-    r"|si\s[^.;]{0,40}\sfuera|supongamos)(?![^\W\d_])|仮に|もし",
+    r"(?<![^\W\d_])(?:if\s[^.;]{0,60}\swere|were\s[^.;]{0,20}\s(?:equal|to\s+be|only)|would|wäre\w*|hätte\w*"
+    r"|würde\w*|si\s[^.;]{0,40}(?:était|valait)|serait|se\s[^.;]{0,40}\sfosse"
+    r"|si\s[^.;]{0,40}\sfuera)(?![^\W\d_])",
     re.IGNORECASE,
 )
-"""Words of what is not so."""
+"""Words of what is not so; "suppose" opens a case that goes on: suppose θ = 70°. Then φ = 15.8°."""
 
 
 class SupposedNumbers:

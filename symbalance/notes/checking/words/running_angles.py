@@ -1,12 +1,14 @@
 r"""Angles that run: in the middle of the stroke, θ = 90°, is one place of the crank and not what θ is.
 
 A letter that stood in a sine or cosine above takes every value there. The number that a sentence gives
-it later is that of a moment and ends with its section, whatever words stand before it.
+it later is that of a moment and ends with its section, whatever words stand before it, and so does the
+angle that an equation of constants has, cos θ = (√(1 + 8 λ²) - 1)/(4 λ). By another angle that runs it
+is no moment: sin β = λ sin θ.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import cached_property
 
 from symbalance.document.formula import Call, Constant, Name, Number, names, walk
@@ -27,9 +29,15 @@ class RunningAngles:
     def is_at_place(self, chain: Chain) -> bool:
         """Tell whether a relation gives an angle that runs above it one of its values."""
         name = angle_placed(chain)
-        if not name or self._first_waves.get(name, chain.start) >= chain.start:
-            return False
-        return name in _RUNNING or len(self._places.get(name, ())) > 1
+        return bool(name) and self._runs(name, chain.start)
+
+    def is_of_a_moment(self, name: str, behind: Collection[str], place: int) -> bool:
+        """Tell whether a letter that runs above a place gets one value there, by constants alone."""
+        return self._runs(name, place) and not self._first_waves.keys() & set(behind) - {name}
+
+    def _runs(self, name: str, place: int) -> bool:
+        is_above = self._first_waves.get(name, place) < place
+        return is_above and (name in _RUNNING or len(self._places.get(name, ())) > 1)
 
     @cached_property
     def _first_waves(self) -> dict[str, int]:

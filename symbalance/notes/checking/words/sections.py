@@ -569,7 +569,7 @@ class Sections:
         end = chain.end
         is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
         is_place = is_number and (
-            angle_placed(chain) != "" if is_case else self._running.is_at_place(chain)
+            angle_placed(chain) != "" if is_case else self.running.is_at_place(chain)
         )
         if is_place:
             if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
@@ -579,7 +579,8 @@ class Sections:
         return self.section_end(line) if is_premise else None
 
     @cached_property
-    def _running(self) -> RunningAngles:
+    def running(self) -> RunningAngles:
+        """The angles that run on the page."""
         return RunningAngles(self.in_order)
 
     @cached_property

@@ -166,8 +166,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
      r"|pleuelstangen)winkel"
      r"|(?:連接棒|コンロッド)の?(?:傾き|傾斜|揺動)?角"),
-    ("crank_angle", "theta vartheta alpha phi varphi", r"crank ?angle|angle of the crank|crank rotation"
-     r"|kurbelwinkel|クランク(?:回転)?角度?"),
+    ("crank_angle", "theta vartheta alpha phi varphi", r"crank ?angle|angle of the (?:first )?crank"
+     r"|crank rotation"
+     r"|kurbelwinkel|winkel der (?:ersten )?kurbel|クランク(?:回転)?角度?"),
     ("any_force", "F P S Q N K Z",
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",

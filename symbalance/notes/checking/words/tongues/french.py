@@ -90,7 +90,7 @@ balance shaft: arbre (?:d'équilibrage|équilibreur)
 balance shafts: arbres (?:d'équilibrage|équilibreurs)
 crank radius: rayon §(?:manivelle|vilebrequin)
 connecting rod length: longueur §bielle|entraxe §bielle
-crank angle: angle §(?:manivelle|vilebrequin)
+crank angle: angle §(?:première )?(?:manivelle|vilebrequin)
 rod angle: (?:angle|obliquité|inclinaison) §bielle
 angular velocity of the rod: vitesse angulaire §bielle
 angular acceleration of the rod: accélération angulaire §bielle

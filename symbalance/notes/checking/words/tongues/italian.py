@@ -91,7 +91,7 @@ balance shaft: albero (?:di equilibratura|equilibratore|controrotante)
 balance shafts: alberi (?:di equilibratura|equilibratori|controrotanti)
 crank radius: raggio §(?:manovella|albero a gomiti)
 connecting rod length: lunghezza §biella
-crank angle: angolo §manovella
+crank angle: angolo §(?:prima )?manovella
 rod angle: (?:angolo|obliquità|inclinazione) §biella
 angular velocity of the rod: velocità angolare §biella
 angular acceleration of the rod: accelerazione angolare §biella

@@ -79,7 +79,7 @@ balance shaft: (?:eixo|veio|árvore) (?:balanceador|de balanceamento|de equilíb
 balance shafts: (?:eixos|veios) (?:balanceadores|de balanceamento|de equilíbrio|de equilibragem)
 crank radius: raio §(?:manivela|virabrequim|cambota)
 connecting rod length: comprimento §biela
-crank angle: ângulo §(?:manivela|virabrequim|cambota)
+crank angle: ângulo §(?:primeira )?(?:manivela|virabrequim|cambota)
 rod angle: (?:ângulo|obliquidade|inclinação) §biela
 angular velocity of the rod: velocidade angular §biela
 angular acceleration of the rod: aceleração angular §biela

@@ -91,7 +91,7 @@ balance shaft: (?:eje|árbol) (?:de equilibrado|equilibrador|compensador)
 balance shafts: (?:ejes|árboles) (?:de equilibrado|equilibradores|compensadores)
 crank radius: radio §(?:manivela|cigüeñal)
 connecting rod length: longitud §biela
-crank angle: ángulo §(?:manivela|cigüeñal)(?: girado)?
+crank angle: ángulo §(?:primera )?(?:manivela|cigüeñal)(?: girado)?
 rod angle: (?:ángulo|oblicuidad|inclinación) §biela
 angular velocity of the rod: velocidad angular §biela
 angular acceleration of the rod: aceleración angular §biela
