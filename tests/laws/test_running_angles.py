@@ -44,10 +44,11 @@ def test_roughly_adds_no_term_that_the_left_side_does_not_have(term):
 
 def test_where_something_is_largest_the_angle_is_one_of_its_section():
     page = (
-        "The crank angle is $\\theta$, $\\lambda = r/l$.\n\n## Speed\n\n$v = r\\omega\\sin\\theta$ is largest for\n\n"
+        "The crank angle is $\\theta$, $\\lambda = r/l$.\n\n## Speed\n\n"
+        "$v = r\\omega\\sin\\theta$ is largest for\n\n"
         "$$\\cos\\theta = \\frac{-1+\\sqrt{1+8\\lambda^2}}{4\\lambda}.$$\n\n## Force\n\n$$CLAIM$$\n"
     )
-    claim = r"2\lambda\cos^2\theta + \cos\theta - \lambda = 0"
+    claim = r"4\lambda\cos\theta + 1 = \sqrt{1+8\lambda^2}"
     assert _last(page.replace("CLAIM", claim))["verdict"] not in ("holds", "conditional")
     here = page.replace("## Force\n\n", "").replace("CLAIM", claim)
     assert _last(here)["verdict"] in ("holds", "conditional")
