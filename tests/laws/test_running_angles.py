@@ -15,8 +15,8 @@ MOTION = (
 )
 
 
-def _last(page):
-    return sb.check(page, {}).data()["links"][-1]
+def _last(page, symbols=()):
+    return sb.check(page, dict(symbols)).data()["links"][-1]
 
 
 @pytest.mark.parametrize("place", PLACES)
@@ -42,13 +42,12 @@ def test_roughly_adds_no_term_that_the_left_side_does_not_have(term):
     assert is_proved == (not term)
 
 
-def test_where_something_is_largest_the_angle_is_one_of_its_section():
+def test_the_angle_that_solves_an_equation_is_one_of_its_section():
     page = (
-        "The crank angle is $\\theta$, $\\lambda = r/l$.\n\n## Speed\n\n"
-        "$v = r\\omega\\sin\\theta$ is largest for\n\n"
-        "$$\\cos\\theta = \\frac{-1+\\sqrt{1+8\\lambda^2}}{4\\lambda}.$$\n\n## Force\n\n$$CLAIM$$\n"
+        "$\\lambda = r/l$ and $y = r\\sin\\theta$.\n\n## One place\n\nWe look at\n\n"
+        "$$\\cos\\theta = \\frac{\\lambda - 1}{\\lambda + 1}$$\n\n## Force\n\n"
+        "$$\\lambda\\cos\\theta + \\cos\\theta + 1 = \\lambda$$\n"
     )
-    claim = r"4\lambda\cos\theta + 1 = \sqrt{1+8\lambda^2}"
-    assert _last(page.replace("CLAIM", claim))["verdict"] not in ("holds", "conditional")
-    here = page.replace("## Force\n\n", "").replace("CLAIM", claim)
-    assert _last(here)["verdict"] in ("holds", "conditional")
+    crank = {"θ": "crank angle"}
+    assert _last(page, crank)["verdict"] not in ("holds", "conditional")
+    assert _last(page.replace("## Force\n\n", ""), crank)["verdict"] == "conditional"

@@ -425,9 +425,13 @@ class Definitions:
     def _within_moment(self, name: str, node: Formula, chain: Chain, last: int | None) -> int | None:
         """Return where a letter's value ends: that of an angle which runs ends with its section."""
         values = {n: value for n, value in self._nodes().items() if n != name}
-        if not names(node) or not self.sections.running.is_of_a_moment(
-            name, {*names_behind(node, values)}, chain.start
-        ):
+        running = self.sections.running
+        is_moment = (
+            running.is_of_a_moment(name, {*names_behind(node, values)}, chain.start)
+            if names(node)
+            else running.is_at_place(chain)
+        )
+        if not is_moment:
             return last
         end = self.sections.section_end(chain.lines[0])
         return end if last is None else min(last, end)

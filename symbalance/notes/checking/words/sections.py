@@ -569,7 +569,9 @@ class Sections:
         end = chain.end
         is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
         is_place = is_number and (
-            angle_placed(chain) != "" if is_case else self.running.is_at_place(chain)
+            angle_placed(chain) != ""
+            if is_case
+            else self.running.is_at_place(chain) and not self.is_consequence(chain)
         )
         if is_place:
             if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
