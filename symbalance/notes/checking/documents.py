@@ -231,8 +231,14 @@ def declarations_of(
 ) -> tuple[Declarations, str]:
     """Return what is declared about a document, and its text without a header that declared it."""
     declarations, body = _declarations_as_typed(document, symbols, text, name)
-    # the page's language is asked for only by a meaning that is not known in English
-    return with_fuller_roles(declarations, lambda meaning: glossary_of(body).english(meaning)), body
+    meanings = " ".join(f"{text}." for text in declarations.symbols.values())
+
+    def english(meaning: str) -> str:
+        """Return a meaning in English; it is in the language of the others, or of the page."""
+        own = glossary_of(meanings)
+        return (own if own.language else glossary_of(body)).english(meaning)
+
+    return with_fuller_roles(declarations, english), body
 
 
 def _declarations_as_typed(

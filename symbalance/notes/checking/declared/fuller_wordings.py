@@ -41,7 +41,7 @@ _PUT_OFF = (
     r"\s*\b(?:of|for|von|du|del) (?:cylinder|throw|crank|Zylinder|cylindre|cilindro) 1",
     r"\s*\b(?:between (?:the )?(?:centres|centers|eyes)|cent(?:re|er) to cent(?:re|er)|eye to eye)",
     r"\s*\b(?:of the (?:crank ?shaft|crank|engine)|der Kurbel(?:welle)?|des Motors)",
-    r"\s*\b(?:(?:per|of one) (?:cylinder|piston)|(?:je|pro) (?:Zylinder|Kolben))",
+    r"\s*\b(?:(?:per|of one|of an?|of each|of the|for one) (?:single )?(?:cylinder|piston)|(?:je|pro) (?:Zylinder|Kolben))",
     r"^(?:the |constant |rated |mittlere |konstante )",
     r"(?:の|)(?:下向き正|中心間)",
 )
@@ -59,7 +59,7 @@ _RATIO_WORDS = re.compile(r"ratio|verhältnis|rapport|rapporto|比|^[rl](?:/| ov
 def with_fuller_roles(declarations: Declarations, english: Callable[[str], str]) -> Declarations:
     """Return declarations in which a fuller wording stands behind the known meaning that it states.
 
-    `english` puts the terms of the page's language in English.
+    Any other meaning has its terms in English; `english` puts those of the page's language so.
     """
 
     def stated(symbols: Mapping[str, str]) -> dict[str, str]:
@@ -77,10 +77,11 @@ def _with_role(name: str, text: str, english: Callable[[str], str]) -> str:
     role = role_of(text)
     if role in KNOWN or HARMONIC.match(role) or text.startswith(PROPOSED):
         return text
-    role = fuller_role(text) or fuller_role(english(text))
+    in_english = english(text)
+    role = fuller_role(text) or fuller_role(in_english)
     if not role and name in _ANGULAR and _ROTATION.search(text) and not _BY_MINUTE.search(text):
         role = "angular speed"
-    return f"{role}, {text}" if role else text
+    return f"{role}, {text}" if role else in_english
 
 
 @cache

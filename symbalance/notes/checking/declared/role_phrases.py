@@ -147,11 +147,13 @@ GERMAN_RATIO = ("Schubstangenverhältnis", "Pleuelstangenverhältnis", "Pleuelve
 """Names of r/l where nothing else is said; of all others l/r is the usual reading."""
 
 _GERMAN_ROD = r"(?:der )?(?:Pleuellänge|(?:Pleuel|Schub)stangenlänge)"
+_JOINED = r"(?: ?/ ?| (?:over|on|to|and|by|divided by|et|[àaey]|sulla|sur la|sobre la|alla|à la|a la) )"
+"""Between two lengths whose ratio is named, also where only the lengths' own names are in English."""
 _RATIOS = (
-    (r"r/l|r over l|crank (?:radius |throw )?(?:/|over|to|and|by|divided by) (?:the )?"
+    (rf"r/l|r over l|crank(?: radius| throw)?{_JOINED}(?:the )?"
      r"(?:length of the )?(?:con(?:necting[- ])?)?rod(?: length)?"
      rf"|Kurbelradius (?:zu|durch|/) {_GERMAN_ROD}", "crank ratio r/l"),
-    (r"l/r|l over r|rod (?:length )?(?:/|over|to|divided by) (?:the )?crank(?: radius| throw)?",
+    (rf"l/r|l over r|rod(?: length)?{_JOINED}(?:the )?crank(?: radius| throw)?",
      "rod ratio l/r"),
 )  # fmt: skip
 

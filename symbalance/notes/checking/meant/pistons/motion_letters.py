@@ -141,22 +141,21 @@ class MotionLetters:
         }
         letters: dict[str, str] = {}
         law: Formula | None = None
-        if "t" in inside:
+        if "t" in inside and len(inside) > 1:
             speeds = [n for n in inside if n.partition("_")[0] in _STEMS["w"]]
             if len(speeds) != 1 or len(inside) != 2:
                 return
             letters |= {speeds[0]: "w", "t": "t"}
             law = Product((Name(speeds[0]), Name("t")))
+        elif inside == {"t"}:
+            letters["t"] = "theta"  # cos t: no time stands alone in a cosine
         elif inside:
             angles = sorted(inside, key=angle_rank)
             if len(angles) > 2 or any(angle_rank(n) >= len(OF_CRANK) for n in angles):
                 return
             letters |= dict(zip(angles, ("theta", "rod"), strict=False))
         conventions = [False]
-        declared, proposed = self.words.sizes(line)
-        told = {
-            n: _ROLES[role] for n, m in {**proposed, **declared}.items() if (role := role_of(m)) in _ROLES
-        }
+        told = self._told(line)
         for letter in sorted(names(claim) - letters.keys()):
             stem = letter.partition("_")[0]
             roles = [role for role in ("w", "r", "l", "ratio") if stem in _STEMS[role]]
@@ -169,13 +168,37 @@ class MotionLetters:
                 return
             letters[letter] = roles[0]
             if roles == ["ratio"]:
-                conventions = list(self._conventions(letter, knowledge))
+                conventions = list(self._conventions(letter, knowledge, told))
         if {"r", "s"} <= {*letters.values()}:
             return
         for is_inverse in conventions:
             yield Reading(letters, is_inverse, law)
 
-    def _conventions(self, letter: str, knowledge: Knowledge) -> Iterator[bool]:
+    def _told(self, line: int) -> dict[str, str]:
+        """Return the roles of letters by what the page says of them, or by a ratio of two lengths.
+
+        With a rod L, q = e/L says that e is the crank radius, and κ = R/b that b is the rod.
+        """
+        declared, proposed = self.words.sizes(line)
+        told = {
+            n: _ROLES[role] for n, m in {**proposed, **declared}.items() if (role := role_of(m)) in _ROLES
+        }
+        for chain in self.document.chains:
+            head, ratio = chain.sides[0].node, chain.sides[-1 if len(chain.sides) < 2 else 1].node
+            if not isinstance(head, Name) or head.name.partition("_")[0] not in _STEMS["ratio"]:
+                continue
+            if not isinstance(ratio, Quotient):
+                continue
+            above, below = ratio.numerator, ratio.denominator
+            if not isinstance(above, Name) or not isinstance(below, Name):
+                continue
+            for one, other in ((above.name, below.name), (below.name, above.name)):
+                known = _length(other, told)
+                if known and not _length(one, told) and one not in declared:
+                    told[one] = "r" if known == "l" else "l"
+        return told
+
+    def _conventions(self, letter: str, knowledge: Knowledge, told: Mapping[str, str]) -> Iterator[bool]:
         """Yield whether a ratio may be l/r (True) or r/l (False); nothing for any other ratio."""
         known: set[bool] = set()
         definition = knowledge.definitions.get(letter)
@@ -189,9 +212,8 @@ class MotionLetters:
                 and isinstance(value.numerator, Name)
                 and isinstance(value.denominator, Name)
             ):
-                pair = tuple(n.name.partition("_")[0] for n in (value.numerator, value.denominator))
-                is_crank = pair[0] in _STEMS["r"] and pair[1] in _STEMS["l"]
-                is_rod = pair[0] in _STEMS["l"] and pair[1] in _STEMS["r"]
+                pair = tuple(_length(n.name, told) for n in (value.numerator, value.denominator))
+                is_crank, is_rod = pair == ("r", "l"), pair == ("l", "r")
                 if not is_crank and not is_rod:
                     return
                 known.add(is_rod)
@@ -231,6 +253,14 @@ class MotionLetters:
                 {second == Quotient(sine, Name(letter))} if _is_product(second, letter, sine) else set()
             )
         return known
+
+
+def _length(letter: str, told: Mapping[str, str]) -> str:
+    """Return whether a letter is the crank radius, "r", or the rod, "l"; "" for neither."""
+    if letter in told:
+        return told[letter] if told[letter] in ("r", "l") else ""
+    stem = letter.partition("_")[0]
+    return next((role for role in ("r", "l") if stem in _STEMS[role]), "")
 
 
 def _is_product(node: Formula, letter: str, sine: Formula) -> bool:
