@@ -41,7 +41,8 @@ _PUT_OFF = (
     r"\s*\b(?:of|for|von|du|del) (?:cylinder|throw|crank|Zylinder|cylindre|cilindro) 1",
     r"\s*\b(?:between (?:the )?(?:centres|centers|eyes)|cent(?:re|er) to cent(?:re|er)|eye to eye)",
     r"\s*\b(?:of the (?:crank ?shaft|crank|engine)|der Kurbel(?:welle)?|des Motors)",
-    r"\s*\b(?:(?:per|of one|of an?|of each|of the|for one) (?:single )?(?:cylinder|piston)|(?:je|pro) (?:Zylinder|Kolben))",
+    r"\s*\b(?:(?:per|of one|of an?|of each|of the|for one) (?:single )?(?:cylinder|piston)"
+    r"|(?:je|pro) (?:Zylinder|Kolben))",
     r"^(?:the |constant |rated |mittlere |konstante )",
     r"(?:の|)(?:下向き正|中心間)",
 )

@@ -13,6 +13,7 @@ from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.declared.role_phrases import PHRASES, RATIO
 from symbalance.notes.checking.declared.symbol_roles import KNOWN, role_of
 from symbalance.notes.checking.page.solutions import (
     is_said_to_solve,
@@ -164,6 +165,8 @@ def _one_sided_letter(
     unlike = set(letters(decision.left)) ^ set(letters(decision.right))
     if decision.expanded_in and chain.relations[k].sign == "=":
         unlike |= _ends_behind(left, knowledge) ^ _ends_behind(right, knowledge)  # whatever is cut off
+    for name in sorted(unlike & _open_ratios(state, line)):
+        return f"{plain_text(Name(name))}, of which nobody says whether it is r/l or l/r,"
     for name in sorted(unlike):
         is_open = name in free and name not in {
             *state.general,
@@ -177,6 +180,12 @@ def _one_sided_letter(
         if "/d" in name:  # the derivative of what no line defines
             return name
     return ""
+
+
+def _open_ratios(state: JudgingState, line: int) -> set[str]:
+    """Return the letters that are declared to be a ratio of crank and rod, and not which one."""
+    open_words = {words.casefold() for words in PHRASES[RATIO]}
+    return {n for n, text in state.declarations.symbols_at(line).items() if text.casefold() in open_words}
 
 
 def _one_sided_by_value(

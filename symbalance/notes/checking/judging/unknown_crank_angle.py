@@ -86,7 +86,10 @@ def _rests_on(angle: str, state: JudgingState, chain: Chain, k: int, verdict: Ve
     """Tell whether a relation's sides, or the series that fixed a letter in them, come to an angle."""
     decision = verdict.decision
     forms = [] if decision is None else [f for f in (decision.left, decision.right) if f is not None]
-    return any(angle in letters(form) for form in forms) or angle in names_rested_on(state, chain, k)
+    if any(angle in letters(form) for form in forms):
+        return True
+    is_of_words = verdict.reason.startswith("if ")  # judged by what words name, in the page's own letters
+    return not is_of_words and angle in names_rested_on(state, chain, k)
 
 
 def names_rested_on(state: JudgingState, chain: Chain, k: int) -> set[str]:

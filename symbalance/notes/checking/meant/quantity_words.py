@@ -71,6 +71,8 @@ _ANGULAR = frozenset({"omega", "Omega"})
 """Letters of angular speeds: no words make one of them a frequency in cycles."""
 BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
+NOUNLESS = 90
+"""The same of words that name no quantity of the letter: "spread over the cycle this gives"."""
 _LETTER_BEHIND = re.compile(
     r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b"
     r"|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
@@ -255,7 +257,17 @@ class QuantityWords:
             yield named
         if is_named:
             return
-        is_bare = len(_NO_LETTER.sub("", before)) <= BARE
+        yield from self._by_heading(chain, stem, index, (before, sentence), places)
+
+    def _by_heading(
+        self, chain: Chain, stem: str, index: str, texts: tuple[str, str], places: Places
+    ) -> Iterator[Named]:
+        """Yield the quantities that a heading or the words leading in name; a sentence names none."""
+        before, sentence = texts
+        around, heading = places.around, places.heading
+        length = len(_NO_LETTER.sub("", before))
+        own = [quantity for _, _, quantity in self._phrases.get(before, ()) if stem in quantity.letters]
+        is_bare = length <= BARE or (length <= NOUNLESS and not own)
         lead = self._lead_in(chain) if is_bare else ""
         noun = _last_noun(before)
         for quantity in QUANTITIES:

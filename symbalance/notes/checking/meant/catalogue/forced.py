@@ -41,7 +41,7 @@ _UNTUNED = r"houdaille|untuned|viscous|lanchester|viskos|random|white noise|base
 _PENDULUM = words(
     r"pendul(?:um|a)\b.{0,200}(?:absorber|crank|centrifugal|tuned|damper|order|hung)"
     r"|(?:centrifugal|absorber|crank|tuned).{0,200}pendul(?:um|a)\b"
-    r"|fliehkraftpendel|tilgerpendel|pendeltilger|遠心振り子"
+    r"|fliehkraftpendel|tilgerpendel|pendeltilger|遠心振り?子"
 )
 
 FORCED: tuple[Quantity, ...] = (

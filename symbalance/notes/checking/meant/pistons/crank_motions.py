@@ -43,6 +43,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide, decide_at_value
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.declared.symbol_roles import MOVING, role_of
 from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
     AT_TOP_FROM_TOP,
@@ -132,6 +133,8 @@ class _Claim(NamedTuple):
     head: Head
     formula: Formula
     knowledge: Knowledge
+    declared: str
+    """What a symbols file says of the letter."""
 
 
 @dataclass
@@ -212,10 +215,13 @@ class CrankMotions:
         head = _head(chain.sides[k].node)
         if k or head is None or chain.relations[0].sign not in ("=", "≈") or not self.is_of_crank:
             return None
-        if head.name in knowledge.letters:
+        declared = knowledge.meanings.get(head.name, "")
+        is_motion = role_of(declared) in MOVING and bool(names(chain.sides[1].node))
+        if head.name in knowledge.letters and not is_motion:
             return None
         formula = without_dots(chain.sides[1].node)[0]
-        return _Claim(chain, head, with_letter_e(formula) if self.named.is_offset else formula, knowledge)
+        formula = with_letter_e(formula) if self.named.is_offset else formula
+        return _Claim(chain, head, formula, knowledge, declared)
 
     def _readings(self, case: _Claim) -> list[Reading]:
         line = case.chain.lines[0]
@@ -225,7 +231,7 @@ class CrankMotions:
         return list(readings)
 
     def _judge(self, case: _Claim) -> Verdict | Decision | None:
-        named = self.named.named(case.chain, case.head, case.formula)
+        named = self.named.named(case.chain, case.head, case.formula, case.declared)
         if named is None:
             return None
         readings, head = self._readings(case), case.head
@@ -261,7 +267,7 @@ class CrankMotions:
 
     def _zero(self, case: _Claim) -> Decision | None:
         """Return the proof that a motion is zero at a place where it is."""
-        named = self.named.named(case.chain, case.head, case.formula)
+        named = self.named.named(case.chain, case.head, case.formula, case.declared)
         if named is None or self.named.is_offset:
             return None
         self.named.spots.setdefault(case.head.name, named.places)
@@ -275,7 +281,7 @@ class CrankMotions:
         head = case.head
         if head.function or head.order:
             return None
-        named = self.named.named(case.chain, head, case.formula)
+        named = self.named.named(case.chain, head, case.formula, case.declared)
         named = named if named is not None and named.is_sure else None
         if named is not None:
             self.named.kinds.setdefault((head.stem, 0), named.kind)

@@ -158,11 +158,14 @@ class NamedMotions:
         """The text of the page with its terms in English."""
         return self.glossary.english(self.document.text)
 
-    def named(self, chain: Chain, head: Head, claim: Formula) -> NamedMotion | None:
-        """Return the motion that the words around a relation name, with its places; None for none."""
+    def named(self, chain: Chain, head: Head, claim: Formula, declared: str = "") -> NamedMotion | None:
+        """Return the motion that the words around a relation name, with its places; None for none.
+
+        `declared` is what a symbols file says of the letter: it names the motion where no words do.
+        """
         texts = self._texts(chain)
         is_doubted = _DOUBTS.search(f"{texts.clause} {texts.behind}") is not None
-        kind = None if is_doubted else self._kind(texts, head, claim)
+        kind = None if is_doubted else self._kind(texts, head, claim, declared)
         if kind is None:
             return None
         is_turned = any(isinstance(part, Call) and part.function in WAVES for part in walk(claim))
@@ -204,7 +207,7 @@ class NamedMotions:
         """Whether the page speaks of an offset line of stroke."""
         return HAS_OFFSET.search(self.page) is not None
 
-    def _kind(self, texts: _Texts, head: Head, claim: Formula) -> _Kind | None:
+    def _kind(self, texts: _Texts, head: Head, claim: Formula, declared: str) -> _Kind | None:
         """Return which motion is meant: "" where nothing names it, None where it is another body's."""
         by_dots = _by_dots(head.stem, head.order)
         usual = by_dots or _USUAL.get(head.stem, "")
@@ -229,6 +232,8 @@ class NamedMotions:
         if by_dots and kind.name != by_dots:
             is_sure = bool(kind.name) or self._is_rod_angle(head.stem)
             return _Kind(by_dots, "the dots over the letter", is_sure=is_sure)
+        if not kind.name and (motions := motions_named(declared)):
+            kind = _Kind(motions[-1], declared, is_sure=True)
         if kind.name:
             return kind
         return self._kind_elsewhere(texts, head, claim, usual)

@@ -1,0 +1,16 @@
+"""A heading names what a sentence below it gives that names nothing itself."""
+
+import symbalance as sb
+
+
+def _verdict(page):
+    return sb.check(page, {}).data()["links"][-1]["verdict"]
+
+
+def test_a_heading_names_what_a_sentence_without_a_noun_gives():
+    page = (
+        "# Mean torque\n\nSpread over the strokes of a four-stroke engine "
+        "it gives $M_m = \\frac{W}{FACTOR\\pi}$.\n"
+    )
+    assert _verdict(page.replace("FACTOR", "4")) == "conditional"
+    assert _verdict(page.replace("FACTOR", "2")) == "refuted"
