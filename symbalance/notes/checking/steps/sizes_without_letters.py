@@ -50,6 +50,8 @@ _ROUGHLY = 0.02
 """By how much a result may be rounded, beyond its digits."""
 _TWO = Fraction(1), Fraction(3)
 """Numbers for the letters left open: what a formula comes to by a product alone is the same with both."""
+BY_MINUTE = "engine speed rpm"
+"""What a letter is declared as that counts revolutions by the minute."""
 _OPEN = (NUMBERS_PUT_IN, "it fixes ")
 
 
@@ -96,9 +98,8 @@ def _by_sizes(state: JudgingState, chain: Chain, k: int) -> Decision | None:
     is_here = all(state.sections.same_section(size.line, line) for size in _here(state, chain).values())
     is_named = is_here and len(given) > 1 and k > 0 and left.span[0] in state.proved
     number, size = abs(float(typed)), abs(float(exact))
-    is_wrong = is_slip(number, size, right.node) or (
-        (is_named or not given) and abs(number / size - 1) > _ROUGHLY
-    )
+    is_wrong = is_slip(number, size, right.node) or is_mistyped(number, size, right.node)
+    is_wrong = is_wrong or ((is_named or not given) and abs(number / size - 1) > _ROUGHLY)
     reason = f"with {' and '.join(texts)} it is {float(exact):.4g} in SI units"
     return Decision(REFUTED, reason) if there.status == REFUTED and is_wrong else None
 
@@ -138,6 +139,7 @@ def _sizes(
             yield name, (half, f"{plain_text(Name(name))} half the stroke (“{stroke.text}”)")
         elif (speed := _speed(state, chain, name, knowledge)) is not None:
             is_counted = name in _TURNS and not _BY_THE_MINUTE.isdisjoint(walk(node))
+            is_counted = is_counted and role_of(meaning) != BY_MINUTE
             yield name, (Product((speed[0], Number(Fraction(60)))) if is_counted else speed[0], speed[1])
 
 
@@ -202,4 +204,5 @@ def _speed(
     text = f"{plain_text(Name(name))} by the {speed} revolutions per minute named"
     if is_angular:
         return Product((Constant("pi"), Number(Fraction(speed, 30)))), text
-    return Number(Fraction(speed, 60)), text
+    is_by_minute = role_of(knowledge.meanings.get(name, "")) == BY_MINUTE
+    return Number(Fraction(speed, 1 if is_by_minute else 60)), text
