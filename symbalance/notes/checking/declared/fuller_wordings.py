@@ -82,6 +82,8 @@ def _with_role(name: str, text: str, english: Callable[[str], str]) -> str:
     role = fuller_role(text) or fuller_role(in_english)
     if not role and name in _ANGULAR and _ROTATION.search(text) and not _BY_MINUTE.search(text):
         role = "angular speed"
+    if role_of(in_english) == "inertia force":
+        return text  # F = -m a and F = m a are both called so: which way it counts is not said
     return f"{role}, {text}" if role else in_english
 
 

@@ -46,6 +46,7 @@ to the big end: (?:à|depuis|jusqu'à) la tête(?: de bielle)?
 to the small end: (?:au|depuis le|jusqu'au) pied(?: de bielle)?
 big end: tête de bielle
 small end: pied de bielle
+gudgeon pin: axe §piston
 crank pin: maneton
 degree of irregularity: (?:coefficient|degré) d'irrégularité|irrégularité cyclique
 degree of irregularity: coefficient de fluctuation(?: de (?:la )?vitesse)?

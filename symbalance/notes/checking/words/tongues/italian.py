@@ -45,6 +45,7 @@ to the big end: (?:dalla|alla|fino alla) testa(?: di biella| della biella)?
 to the small end: (?:dal|al|fino al) piede(?: di biella| della biella)?
 big end: testa di biella|testa della biella
 small end: piede di biella|piede della biella
+gudgeon pin: spinotto|perno del pistone
 crank pin: perno di (?:manovella|biella)|bottone di manovella
 degree of irregularity: (?:grado|coefficiente) (?:d'|di )(?:irregolarità(?: periodica)?|fluttuazione)
 degree of irregularity: irregolarità periodica

@@ -45,6 +45,7 @@ to the big end: (?:a|desde|hasta) la cabeza(?: de (?:la )?biela)?
 to the small end: (?:al|desde el|hasta el) pie(?: de (?:la )?biela)?
 big end: cabeza de (?:la )?biela
 small end: pie de (?:la )?biela
+gudgeon pin: bulón|pasador del pistón
 crank pin: muñequilla|muñón de biela
 degree of irregularity: (?:grado|coeficiente) de (?:irregularidad|fluctuación(?: de (?:la )?velocidad)?)
 fluctuation of energy: fluctuación de (?:la )?energía|variación (?:máxima )?de (?:la )?energía
