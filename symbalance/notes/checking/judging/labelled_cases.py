@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
@@ -23,9 +24,10 @@ def by_own_numbers(
     one may be proved by the own.
     """
     labels, line = state.labels_of_cases, chain.lines[0]
-    if not labels.are_several or verdict.verdict not in (*PROVED_WORDS, REFUTED, CONTRADICTION):
+    judged = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED)
+    if not labels.are_several or verdict.verdict not in judged:
         return verdict
-    own = labels.at(chain.start, line)
+    own = labels.behind(chain.end) or labels.at(chain.start, line)
     if not own:
         return verdict
     knowledge = state.knowledge(line)
@@ -48,7 +50,7 @@ def by_own_numbers(
         return verdict  # what the own case does not give anew is as it was
     kept = {
         name: [
-            entry
+            replace(entry, last_line=None) if _owner(labels, entry.definition) == own else entry
             for entry in entries
             if not entry.definition.numeric or _owner(labels, entry.definition) in ("", own)
         ]

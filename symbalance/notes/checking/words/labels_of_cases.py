@@ -1,5 +1,7 @@
 """Which of several engines or cases a place of a page is about, by labels: engine A, case b, Motor 2.
 
+Where two things are labelled so, the label alone names one: "A: V = 490 cc", "628 rad/s for A".
+
 A label in a heading stands for its thing until the next label of its section; one in a sentence to the
 end of its paragraph, or of the sentence where that goes on in a display.
 """
@@ -20,6 +22,19 @@ _LABELLED = re.compile(
     r"|(?:エンジン|機関|場合|ケース)\s?(?P<sign>[A-Z1-9])(?!\w)"
 )
 """A thing with its label: Engine A, "case II", エンジンB; no word that begins with it, engine Alpha."""
+_ALONE = re.compile(
+    r"^[ \t]*(?:[-*+•][ \t]*)?(?:\*\*)?(?P<label>[A-Z])(?:\*\*)?(?=[ \t]?[:：)])"
+    r"|(?<![^\W\d_])(?:for|of|in|so|and|but|für|bei|und|pour|et|per|e|para|y)\s(?P<other>[A-Z])"
+    r"(?=\s(?:has|gives?|we|is|hat|ist|gilt|a|tiene)\s)",
+    re.MULTILINE,
+)
+"""A label alone: where its line begins with it, and before a verb."""
+_BEHIND = re.compile(
+    r"[\s$)\]}]{0,4}(?:(?:rad|mm|cm|m|s|kN|N|rpm|Hz|cc|kg)[\w/^²·*]{0,6}[\s$]{0,3})?"
+    r"\(?(?:for|of|in|bei|für|pour|per|para)\s(?:(?:engine|motor|Motor|moteur|motore)\s)?(?P<label>[A-Z])(?!\w)"
+)
+_OF_CASE = re.compile(r"(?<=\w)\([A-Z]\)|(?<=\w)_\{?[A-Z]\}?(?!\w)")
+"""A label within a formula, which is no letter of it: F(B)/F(A), F_A."""
 COMPARED = (
     r"(?:than|unlike|(?:compared|relative)\s+(?:with|to)|verglichen\s+mit|im\s+Vergleich\s+(?:zu[rm]?|mit)"
     r"|rispetto\s+a|compar[ée]+e?\s+[àa]u?|against|versus|vs\.?|instead\s+of|not|from|als|gegenüber|statt|anders\s+als|que|contre)\s+"
@@ -40,13 +55,23 @@ class LabelsOfCases:
 
     def __init__(self, text: str, sections: Sections) -> None:
         self._text, self._sections = text, sections
-        self._places: list[int] = []
-        self._labels: list[str] = []
-        for match in _LABELLED.finditer(text):
-            before = text[max(0, match.start() - _NEAR) : match.start()]
-            if _BESIDE.search(before) is None:
-                self._places.append(match.start())
-                self._labels.append(match["label"] or match["sign"])
+        found = {
+            match.start(): match["label"] or match["sign"]
+            for match in _LABELLED.finditer(text)
+            if _BESIDE.search(text[max(0, match.start() - _NEAR) : match.start()]) is None
+        }
+        used = {
+            name
+            for chain in sections.document.chains
+            for name in chain.letters
+            if re.search(rf"{name}(?!\w)", _OF_CASE.sub("", text[chain.start : chain.end]))
+        }
+        self._bare = {label for label in found.values() if label.isalpha() and label not in used}
+        if len(self._bare) > 1:
+            alone = {m.start(): m["label"] or m["other"] for m in _ALONE.finditer(text)}
+            found |= {place: label for place, label in alone.items() if label in self._bare}
+        self._places = sorted(found)
+        self._labels = [found[place] for place in self._places]
 
     @property
     def are_several(self) -> bool:
@@ -56,6 +81,12 @@ class LabelsOfCases:
     def end_of_line(self, line: int) -> int:
         """Return where a line ends."""
         return self._sections.start_of_line(line + 1) - 1
+
+    def behind(self, place: int) -> str:
+        """Return the label that words right behind a relation name: "w = 628 rad/s for A"."""
+        match = _BEHIND.match(self._text, place)
+        is_known = match is not None and len(self._bare) > 1 and match["label"] in self._bare
+        return match["label"] if match is not None and is_known else ""
 
     def at(self, place: int, line: int) -> str:
         """Return the label that a place of a line is about, "" for none in its section."""
