@@ -56,6 +56,22 @@ def test_a_value_in_brackets_in_the_same_unit_is_another_quantity():
     assert words_of("F = 1.5*3979 = 5969 N (5.696 kN)")[-1] == "refuted"
 
 
+EQUAL = [
+    r"For $\theta$ equal to $60^\circ$ we find",
+    r"When $\theta$ is $60^\circ$ we find",
+    r"Für $\theta$ gleich $60^\circ$ ist",
+    r"Pour $\theta$ égal à $60^\circ$ on trouve",
+    r"Per $\theta$ uguale a $60^\circ$ si ha",
+]
+
+
+@pytest.mark.parametrize("words", EQUAL)
+def test_an_angle_may_be_said_to_be_equal_to_its_degrees(words):
+    page = rf"$y = \sin\theta$. {words} $y \approx VALUE$."
+    assert words_of(page.replace("VALUE", "0.866"))[-1] == "conditional"
+    assert words_of(page.replace("VALUE", "0.766"))[-1] == "refuted"
+
+
 OFFSETS = [
     "For 60° this gives d = {}°, for 72° d = {}° and at 90° d = {}.",
     "Fuer 60 Grad gibt das d = {} Grad, fuer 72 Grad d = {} Grad, und bei 90 Grad ist d = {}.",

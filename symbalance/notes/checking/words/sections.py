@@ -286,7 +286,8 @@ _FROM = re.compile(
 """Before a dead centre that a path or an angle is counted from: Kolbenweg ab OT."""
 _PLACE = re.compile(
     rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
-    r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour|à|en|przy|vid)\s+(?:an?\s+(?:crank\s+)?angle\s+of\s+)?(?:\$?\\?[a-zθφα]{1,8}\s?=\s?)?\$?"
+    r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour|à|en|przy|vid|per|para|when|wenn|quand|lorsque)\s+(?:an?\s+(?:crank\s+)?angle\s+of\s+)?"
+    r"(?:\$?\\?[a-zθφαψβ]{1,8}\$?\s?(?:=|(?:is|ist|est|equal\s+to|equals|gleich|égale?\s+à|vaut|è|uguale\s+a|es|igual\s+a)\s)\s?)?\$?"
     r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)"
     r"|(?:[αβγθφϕψ]|\\(?:alpha|beta|gamma|theta|varphi|phi|psi))\s?=\s?([0-9]{1,3})\s?(?:°|\^\{?\\circ)",
     re.IGNORECASE,
