@@ -22,3 +22,18 @@ def test_the_second_order_of_an_acceleration_is_judged_in_any_letters(page, wron
 
     assert last("q") in ("conditional", "holds_to_order")
     assert last(wrong) == "refuted"
+
+
+OTHERS = [
+    "$q = e/L$ where $e$ is the diameter of the crank circle and $L$ the rod. The piston acceleration is "
+    "$a = e\\omega^2(\\cos\\theta + q\\cos 2\\theta)$.\n",
+    "$\\lambda = L/b$ with the rod $L$ and the bore $b$. The piston acceleration is "
+    "$a = b\\omega^2(\\cos\\theta + \\lambda\\cos 2\\theta)$.\n",
+    "The crank radius is $r$, the rod $l$. $q = r/l$. The acceleration of the counterweight is "
+    "$a = r\\omega^2(\\cos\\theta + q\\cos 2\\theta)$.\n",
+]
+
+
+@pytest.mark.parametrize("page", OTHERS)
+def test_another_length_or_body_leaves_a_definition(page):
+    assert sb.check(page, {}).data()["links"][-1]["verdict"] == "definition"

@@ -123,6 +123,16 @@ class _Frame(NamedTuple):
     assumptions: tuple[str, ...]
 
 
+_OF_ANOTHER_BODY = re.compile(
+    r"(?:acceleration|velocity|speed|motion|displacement|beschleunigung|geschwindigkeit|accélération|vitesse|accelerazione|velocità"
+    r"|aceleración|velocidad)\s+(?:of|der|des|vom|von|du|de|della?|dell['’])\s*(?:the\s+|la\s+|l['’]|el\s+)?(?:\w+[-\s]){0,2}?"
+    r"(?:counter-?weight|balanc\w+|rod|conrod|crank|gravity|valve|tappet|flywheel|gegengewicht\w*|pleuel\w*|kurbel\w*|schwerpunkt\w*"
+    r"|ventil\w*|contrepoids|bielle|manivelle|soupape|contrappeso|biella|manovella|contrapeso|biela|manivela)",
+    re.IGNORECASE,
+)
+"""Words for the motion of something that is not the piston: its formula alone says nothing then."""
+
+
 @dataclass
 class MeantQuantities:
     """Judges the letters of one document that nobody declared; what each was taken for is its state."""
@@ -145,6 +155,9 @@ class MeantQuantities:
         if frame is None:
             return None
         named = self.words.named(name, chain) or self._by_company(name)
+        is_unnamed = named is None or not named.role
+        if is_unnamed and _OF_ANOTHER_BODY.search(self.words.sentence_before(chain)):
+            return None
         frames = [frame]
         if named is not None and named.role and any(OF_RATIO.search(text) for text in frame.assumptions):
             frames.append(self.frame(name, value, chain, knowledge, ratio=CONVENTIONS["r/l"]) or frame)

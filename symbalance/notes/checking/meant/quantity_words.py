@@ -73,6 +73,14 @@ BARE = 24
 """Letters in the words before a formula that its heading names: "so that", "With these"."""
 NOUNLESS = 90
 """The same of words that name no quantity of the letter: "spread over the cycle this gives"."""
+_OF_IT = re.compile(
+    r"(?<![^\W\d_])(?:great|larg|high|max|min|peak|least|small|low|half|halb|twice|double|doppel|zwei|three|third|quarter|part|share"
+    r"|differen|amplitud|rest|remain|mean|average|mittl|each|per|both|pair|total|whole|sum|one\s|größ|höchst|klein|scheitel|spitze"
+    r"|anteil|teil|je|beide|gesamt|summe|moiti|doubl|plus\s|moyen|chaque|part|massim|minim|met[àa]|doppi|medi|ciascun|máxim|mínim|mitad"
+    r"|dobl|cada)|最大|最小|半分|二倍|平均|それぞれ|合計|振幅",
+    re.IGNORECASE,
+)
+"""Words that make another size of what the heading names."""
 _LETTER_BEHIND = re.compile(
     r"(?:\s|of|is|,){0,3}(?:\$(?P<marked>[^$=]{1,24})\$|(?P<bare>\b(?!a\b"
     r"|I\b)[A-Za-zΑ-ω](?:_\{?\w{1,6}\}?)?)(?=[\s,;]))"
@@ -267,7 +275,7 @@ class QuantityWords:
         around, heading = places.around, places.heading
         length = len(_NO_LETTER.sub("", before))
         own = [quantity for _, _, quantity in self._phrases.get(before, ()) if stem in quantity.letters]
-        is_bare = length <= BARE or (length <= NOUNLESS and not own)
+        is_bare = length <= BARE or (length <= NOUNLESS and not own and not _OF_IT.search(before))
         lead = self._lead_in(chain) if is_bare else ""
         noun = _last_noun(before)
         for quantity in QUANTITIES:

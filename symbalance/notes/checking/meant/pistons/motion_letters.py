@@ -67,6 +67,14 @@ _OF_STROKE = re.compile(
     r"|\b[lL]\s*/\s*[sS]\b|\b[sS]\s*/\s*[lL]\b",
     re.IGNORECASE,
 )
+_OTHER_LENGTH = re.compile(
+    r"bore|diameter|stroke|circle|distance|pitch|spacing|height|offset|bohrung|durchmesser|\bhub|abstand|höhe|versatz|alésage|diamètre"
+    r"|course|distance|alesaggio|diametro|corsa|distanza|diámetro|carrera|distancia|直径|行程|内径|距離|ストローク",
+    re.IGNORECASE,
+)
+"""Lengths that are neither the crank radius nor the rod."""
+_BESIDE = 24
+"""Characters beside a letter in which such a word says what it is."""
 _ROLES = {
     "crank radius": "r", "rod length": "l", "stroke": "s", "angular speed": "w", "rod ratio l/r": "ratio",
     "crank ratio r/l": "ratio",
@@ -194,9 +202,17 @@ class MotionLetters:
                 continue
             for one, other in ((above.name, below.name), (below.name, above.name)):
                 known = _length(other, told)
-                if known and not _length(one, told) and one not in declared:
+                if known and not _length(one, told) and one not in declared and not self._is_other(one):
                     told[one] = "r" if known == "l" else "l"
         return told
+
+    def _is_other(self, letter: str) -> bool:
+        """Tell whether words beside a letter call it another length: the bore b, e the diameter."""
+        sign = rf"(?<![\w\\])\\?{re.escape(letter)}(?!\w)"
+        return any(
+            _OTHER_LENGTH.search(self.document.text[max(0, m.start() - _BESIDE) : m.end() + _BESIDE])
+            for m in re.finditer(sign, self.document.text)
+        )
 
     def _conventions(self, letter: str, knowledge: Knowledge, told: Mapping[str, str]) -> Iterator[bool]:
         """Yield whether a ratio may be l/r (True) or r/l (False); nothing for any other ratio."""
