@@ -67,12 +67,19 @@ _OF_STROKE = re.compile(
     r"|\b[lL]\s*/\s*[sS]\b|\b[sS]\s*/\s*[lL]\b",
     re.IGNORECASE,
 )
-_OTHER_LENGTH = re.compile(
-    r"bore|diameter|stroke|circle|distance|pitch|spacing|height|offset|bohrung|durchmesser|\bhub|abstand|höhe|versatz|alésage|diamètre"
-    r"|course|distance|alesaggio|diametro|corsa|distanza|diámetro|carrera|distancia|直径|行程|内径|距離|ストローク",
-    re.IGNORECASE,
+_OTHER_LENGTH = (
+    r"(?:bore|diameter|stroke|circle|distance|pitch|spacing|height|offset|bohrung|durchmesser|\bhub|abstand|höhe|versatz|alésage|diamètre"
+    r"|course|distance|alesaggio|diametro|corsa|distanza|diámetro|carrera|distancia|直径|行程|内径|距離|ストローク)"
 )
 """Lengths that are neither the crank radius nor the rod."""
+_OTHER_BEFORE = re.compile(
+    rf"{_OTHER_LENGTH}\w*(?:\s(?:of|is|von|ist|de|est|di|è|es))?[\s$({{\\:]*$", re.IGNORECASE
+)
+_OTHER_BEHIND = re.compile(
+    r"[\s$)},]{0,4}(?:(?:is|ist|est|è|es|being|denotes|bezeichnet)\s)?(?:the|der|die|das|den|la|le|il|lo|el)\s"
+    rf"(?:[^\W\d_]+\s){{0,2}}?\w*{_OTHER_LENGTH}",
+    re.IGNORECASE,
+)
 _BESIDE = 24
 """Characters beside a letter in which such a word says what it is."""
 _ROLES = {
@@ -208,10 +215,11 @@ class MotionLetters:
 
     def _is_other(self, letter: str) -> bool:
         """Tell whether words beside a letter call it another length: the bore b, e the diameter."""
-        sign = rf"(?<![\w\\])\\?{re.escape(letter)}(?!\w)"
+        text = self.document.text
         return any(
-            _OTHER_LENGTH.search(self.document.text[max(0, m.start() - _BESIDE) : m.end() + _BESIDE])
-            for m in re.finditer(sign, self.document.text)
+            _OTHER_BEFORE.search(text[max(0, m.start() - _BESIDE) : m.start()])
+            or _OTHER_BEHIND.match(text, m.end())
+            for m in re.finditer(rf"(?<![\w\\])\\?{re.escape(letter)}(?!\w)", text)
         )
 
     def _conventions(self, letter: str, knowledge: Knowledge, told: Mapping[str, str]) -> Iterator[bool]:
