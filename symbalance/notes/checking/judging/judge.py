@@ -8,10 +8,11 @@ from functools import cached_property, partial
 from itertools import product
 
 from symbalance.budgets import Budget
-from symbalance.document.formula import Call, Formula, Name, Number, names, parts_of_kind
+from symbalance.document.formula import Formula, Name, Number, names
 from symbalance.document.letters import plain_letter
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.letters_behind import letters_with_behind, names_behind
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.deciding.cases import GIVE_IT, NUMBERS_PUT_IN
 from symbalance.notes.checking.deciding.congruences import decide_congruence
 from symbalance.notes.checking.deciding.descriptions import (
@@ -583,7 +584,7 @@ class Judge:
         spoken = {name: name in turning for name in turning.union(behind)}
         self.state.general = self.state.sections.spoken_of_generally(chain, spoken, named=True)
         if self._is_of_all_values(chain, k):
-            self.state.general |= _turned(chain.sides[k].node)
+            self.state.general |= letters_in_waves(chain.sides[k].node)
         self.state.general |= self._ranges_of_all_values(chain) | letters_of_ended(self.state, chain)
         self.state.general |= self._claimed_always(chain, k)
         if not k and self.state.sections.is_called_identity(chain):
@@ -813,9 +814,9 @@ class Judge:
         else:
             outcome = self._by_kind(chain, k, sound, bad, knowledge)
         angles, line = knowledge.angles, chain.lines[0]
-        turning = angles | (_turned(left.node) & _turned(right.node))
+        turning = angles | (letters_in_waves(left.node) & letters_in_waves(right.node))
         again = self.state.sections.numbers_given_again(line)
-        turned = (_turned(left.node) | _turned(right.node)) - again
+        turned = (letters_in_waves(left.node) | letters_in_waves(right.node)) - again
         values = {name: d.node for name, d in knowledge.definitions.items()}
         behind = names(left.node) if k else {*names_behind(left.node, values)}
         on_both_sides = (turning | turned) & behind & names(right.node)
@@ -1073,13 +1074,6 @@ def _word(outcome: Verdict | Decision) -> str:
 
 def _is_proved(outcome: Verdict | Decision) -> bool:
     return outcome.is_proved if isinstance(outcome, Decision) else outcome.verdict in PROVED_WORDS
-
-
-def _turned(node: Formula) -> frozenset[str]:
-    """Return the letters within sines and cosines, angles though nobody has declared them."""
-    turning = ("sin", "cos", "tan")
-    calls = (part for part in parts_of_kind(node, Call) if part.function in turning)
-    return frozenset(name for call in calls for name in names(call.argument))
 
 
 def _puts_numbers_in(chain: Chain, k: int, verdict: Verdict) -> bool:

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from symbalance.document.formula import Call, Name, names
+from symbalance.notes.algebra.letters_in_waves import WAVES
 from symbalance.notes.checking.deciding.cases import states_a_case
 from symbalance.notes.checking.judging.premises_behind import is_worked_out_behind
-from symbalance.notes.checking.page.solutions import WAVES
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.case_words import LONGEST_PLACE, is_case_behind, is_place_behind
 from symbalance.notes.checking.words.sections import Sections

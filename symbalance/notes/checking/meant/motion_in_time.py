@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from symbalance.document.formula import (
-    Call,
     Constant,
     Derivative,
     Formula,
@@ -27,6 +26,7 @@ from symbalance.document.formula import (
     with_parts_changed,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue, derivative_name
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.declared.engines import Engines
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbol_roles import letters_by_role
@@ -36,7 +36,6 @@ from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 HIGHEST = 2
 """Times that a rate is a letter with a rate of its own."""
-_WAVES = ("sin", "cos", "tan")
 _ZERO = Number(Fraction(0))
 
 
@@ -100,7 +99,10 @@ def motions_in_time(
     own_angles = roles.get("crank angle", [])
     is_time_known = time in meaning.values and bool(own_angles)
     has_speed = "angular speed" in roles or "engine speed rpm" in roles
-    turning = {*own_angles, *_turning(page)}
+    turning = {
+        *own_angles,
+        *(n for c in page.chains for side in c.sides for n in letters_in_waves(side.node)),
+    }
     differentiated = tuple(_differentiated(page))
     by_angles = {each.name for each in differentiated if each.variable != time}
     given = _with_formulas(page) | meaning.values.keys()
@@ -282,15 +284,6 @@ def _is_still(node: Formula) -> bool:
     return all(
         isinstance(part, Name | Number | Constant | Product | Quotient | Negative) for part in walk(node)
     )
-
-
-def _turning(page: ReadNotes) -> Iterator[str]:
-    """Yield the letters that stand in sines and cosines."""
-    for chain in page.chains:
-        for side in chain.sides:
-            for part in walk(side.node):
-                if isinstance(part, Call) and part.function in _WAVES:
-                    yield from names(part.argument)
 
 
 def _with_formulas(page: ReadNotes) -> set[str]:

@@ -10,14 +10,14 @@ from collections.abc import Iterator, Mapping
 
 from symbalance.document.formula import Call, Formula, Name, names, walk
 from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.letters_in_waves import WAVES
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.words.sections import Sections
-from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 NEAR = 4
 """Lines below an equation in which its solution is looked for."""
-WAVES = ("sin", "cos", "tan")
 LONGEST_ARROW = 40
 """Characters behind an equation in which the arrow to its solution stands."""
 _SOLVED_NEXT = re.compile(
@@ -41,18 +41,6 @@ _THAT_IS = re.compile(
 )
 """What may stand between an equation and its solution that leaves no room for another meaning."""
 _SENTENCE_ENDS = re.compile(r"(?<!\b[A-Za-z])[.;!?。](?:\s|$)|\n\s*\n")
-
-
-def turned_letters(document: ReadNotes) -> frozenset[str]:
-    """Return the letters that stand within sines, cosines and tangents of a page."""
-    return frozenset(
-        name
-        for chain in document.chains
-        for side in chain.sides
-        for part in walk(side.node)
-        if isinstance(part, Call) and part.function in WAVES
-        for name in names(part.argument)
-    )
 
 
 def chains_below(sections: Sections, chain: Chain) -> Iterator[Chain]:

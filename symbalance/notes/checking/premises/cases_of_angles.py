@@ -6,14 +6,14 @@ says nothing of the next example, or of what stands in a later paragraph.
 
 from __future__ import annotations
 
-from symbalance.document.formula import Call, Formula, names, walk
+from symbalance.document.formula import Formula, names
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.verdicts import PREMISE
 from symbalance.notes.reading.equations import Chain
 
 ANOTHER_ANGLE = "a case: the angle before was another question's"
-_WAVES = ("sin", "cos", "tan")
 
 
 def case_of_angle(definitions: Definitions, name: str, value: Formula, chain: Chain) -> Decision | None:
@@ -25,7 +25,7 @@ def case_of_angle(definitions: Definitions, name: str, value: Formula, chain: Ch
     sections, line = definitions.sections, chain.lines[0]
     premises = [p for p in definitions.premises_at(line) if name in p.names]
     nodes = [node for p in premises for node in (p.left, p.right)]
-    if names(value) or not chain.inline or not any(_turns(name, node) for node in nodes):
+    if names(value) or not chain.inline or not any(name in letters_in_waves(node) for node in nodes):
         return None
     if sections.is_consequence(chain):
         return None
@@ -36,9 +36,3 @@ def case_of_angle(definitions: Definitions, name: str, value: Formula, chain: Ch
     if is_introduced:
         return Decision(UNDECIDED, f"another case, or a solution of line {last} that is none: say which")
     return None
-
-
-def _turns(name: str, node: Formula) -> bool:
-    """Tell whether a letter stands within a sine, a cosine or a tangent."""
-    calls = (part for part in walk(node) if isinstance(part, Call) and part.function in _WAVES)
-    return any(name in names(call.argument) for call in calls)

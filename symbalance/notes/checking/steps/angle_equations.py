@@ -22,6 +22,7 @@ from symbalance.document.formula import (
     names,
 )
 from symbalance.notes.algebra.letters_behind import letters_behind, names_behind
+from symbalance.notes.algebra.letters_in_waves import WAVES
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.descriptions import describe
@@ -29,7 +30,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Deci
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute, with_every
-from symbalance.notes.checking.page.solutions import WAVES, chains_below
+from symbalance.notes.checking.page.solutions import chains_below
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from symbalance.document.formula import Call, Name, Number, Product, names
-from symbalance.notes.checking.meant.pistons.motion_letters import angles_in
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
@@ -31,7 +31,9 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
     if len(chain.relations) != 1 or not (is_angle or sections.is_condition(chain)):
         return False
     angles = {
-        name for side in chain.sides for name in (names(side.node) if is_angle else angles_in(side.node))
+        name
+        for side in chain.sides
+        for name in (names(side.node) if is_angle else letters_in_waves(side.node))
     }
     is_past = _lines_before_sentence(state, chain, angles)
     fixing = [p for p in definitions.premises if is_past(p.line) and _is_condition_on(p, angles)]
@@ -120,7 +122,7 @@ def is_multiple_of_angle(chain: Chain) -> bool:
 
 def _is_condition_on(premise: Premise, angles: set[str]) -> bool:
     """Tell whether an equation fixes an angle: one in its sine or cosine, or its value, or that of 2θ."""
-    turning = angles_in(premise.left) | angles_in(premise.right)
+    turning = letters_in_waves(premise.left) | letters_in_waves(premise.right)
     lone = {side.name for side in (premise.left, premise.right) if isinstance(side, Name)}
     own = names(premise.left) | names(premise.right)
     is_multiple = len(own) == 1 and own <= angles

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Call, Derivative, Formula, Name, names, walk
+from symbalance.document.formula import Derivative, Formula, Name, names, walk
 from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.page.solutions import WAVES
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
@@ -94,9 +94,7 @@ def _free(decision: Decision) -> frozenset[str]:
 
 def _turned_letters(chain: Chain, k: int) -> frozenset[str]:
     """Return the letters within sines and cosines of a relation."""
-    parts = [part for side in chain.sides[k : k + 2] for part in walk(side.node)]
-    waves = [part for part in parts if isinstance(part, Call) and part.function in WAVES]
-    return frozenset(name for wave in waves for name in names(wave.argument))
+    return letters_in_waves(chain.sides[k].node) | letters_in_waves(chain.sides[k + 1].node)
 
 
 def _is_said_to_follow(state: JudgingState, chain: Chain, premise: Premise) -> bool:

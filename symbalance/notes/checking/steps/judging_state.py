@@ -57,7 +57,6 @@ from symbalance.notes.checking.motions.fourier_series import FourierSeries
 from symbalance.notes.checking.motions.trial_solutions import Trial
 from symbalance.notes.checking.page.cases_side_by_side import CasesSideBySide
 from symbalance.notes.checking.page.cranks_of_engines import CranksOfEngines
-from symbalance.notes.checking.page.solutions import turned_letters
 from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
@@ -178,7 +177,7 @@ class JudgingState:
         """Places of the solutions of balances, which are wrong where they do not satisfy them."""
         self.wrong_angles: dict[int, Decision] = {}
         """Where an angle stands that is said to solve the equation before it, and does not."""
-        self.turned = turned_letters(self.document)
+        self.turned = self.sections.running.letters
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""
 

@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from functools import cached_property
 
-from symbalance.document.formula import Call, Constant, Name, Number, names, walk
+from symbalance.document.formula import Constant, Name, Number, walk
 from symbalance.document.letters import is_greek
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.reading.equations import Chain
 
-_WAVES = ("sin", "cos", "tan")
 _RUNNING = frozenset({"theta", "vartheta", "phi", "varphi", "psi"})
 """Letters of crank and rod angles; another Greek letter runs where the page gives it several values."""
 
@@ -25,6 +25,11 @@ class RunningAngles:
 
     def __init__(self, in_order: Sequence[Chain]) -> None:
         self._chains = in_order
+
+    @property
+    def letters(self) -> frozenset[str]:
+        """The letters that stand within waves anywhere on the page."""
+        return frozenset(self._first_waves)
 
     def is_at_place(self, chain: Chain) -> bool:
         """Tell whether a relation gives an angle that runs above it one of its values."""
@@ -43,13 +48,7 @@ class RunningAngles:
     def _first_waves(self) -> dict[str, int]:
         first: dict[str, int] = {}
         for chain in self._chains:
-            waves = (
-                part
-                for side in chain.sides
-                for part in walk(side.node)
-                if isinstance(part, Call) and part.function in _WAVES
-            )
-            for name in {n for wave in waves for n in names(wave.argument)}:
+            for name in {n for side in chain.sides for n in letters_in_waves(side.node)}:
                 first.setdefault(name, chain.start)
         return first
 

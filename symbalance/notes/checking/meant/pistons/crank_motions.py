@@ -37,6 +37,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.letters_in_waves import WAVES, letters_in_waves
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -69,10 +70,8 @@ from symbalance.notes.checking.meant.formula_slips import value_at
 from symbalance.notes.checking.meant.letter_roles import renamed
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.pistons.motion_letters import (
-    WAVES,
     MotionLetters,
     Reading,
-    angles_in,
     known_of,
     values_in,
     with_letter_e,
@@ -199,7 +198,7 @@ class CrankMotions:
         if len(named.places) != 1 or named.places[0] not in _ANGLES:
             return None
         behind = names_behind(chain.sides[0].node, {n: d.node for n, d in knowledge.definitions.items()})
-        turned = {n for d in knowledge.definitions.values() for n in angles_in(d.node)} & {*behind}
+        turned = {n for d in knowledge.definitions.values() for n in letters_in_waves(d.node)} & {*behind}
         if len(turned) != 1:
             return None
         (theta,) = turned

@@ -23,10 +23,10 @@ from symbalance.document.formula import (
     Quotient,
     children,
     names,
-    walk,
     with_children,
 )
 from symbalance.notes.algebra.evaluation import SymbolValue
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.formula_slips import value_at
@@ -35,7 +35,6 @@ from symbalance.notes.checking.meant.pistons.motion_slips import Point, Values
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
-WAVES = frozenset({"sin", "cos", "tan"})
 OF_CRANK = ("theta", "vartheta", "alpha", "phi", "varphi", "psi", "gamma", "delta", "beta")
 """Letters of angles, those of the crank first: of two, the later one is the rod's."""
 _STEMS: Mapping[str, frozenset[str]] = {
@@ -148,12 +147,7 @@ class MotionLetters:
         self, claim: Formula, knowledge: Knowledge, line: int, *, is_offset: bool
     ) -> Iterator[Reading]:
         """Yield the ways in which the letters of a claim may play their roles."""
-        inside = {
-            n
-            for p in walk(claim)
-            if isinstance(p, Call) and p.function in WAVES
-            for n in names(p.argument)
-        }
+        inside = letters_in_waves(claim)
         letters: dict[str, str] = {}
         law: Formula | None = None
         if "t" in inside and len(inside) > 1:
@@ -269,7 +263,7 @@ class MotionLetters:
             first, second = (side.node for side in chain.sides)
             if not isinstance(first, Call) or first.function != "sin":
                 continue
-            angles = [*names(first), *angles_in(second)]
+            angles = [*names(first), *letters_in_waves(second)]
             if len(angles) != 2 or angle_rank(angles[0]) <= angle_rank(angles[1]):
                 continue
             sine = Call("sin", Name(angles[1]))
@@ -291,12 +285,6 @@ def _is_product(node: Formula, letter: str, sine: Formula) -> bool:
     """Tell whether a formula is a ratio times a sine, or the sine over it."""
     parts = node.factors if isinstance(node, Product) else ()
     return node == Quotient(sine, Name(letter)) or (len(parts) == 2 and {*parts} == {Name(letter), sine})
-
-
-def angles_in(node: Formula) -> frozenset[str]:
-    """Return the letters that stand in sines and cosines."""
-    waves = (p for p in walk(node) if isinstance(p, Call) and p.function in WAVES)
-    return frozenset(n for wave in waves for n in names(wave.argument))
 
 
 def with_letter_e(node: Formula) -> Formula:

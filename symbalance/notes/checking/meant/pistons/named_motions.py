@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from symbalance.document.formula import Call, Formula, Name, walk
 from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.letters_in_waves import WAVES, letters_in_waves
 from symbalance.notes.checking.meant.catalogue.kinematics import (
     ACCELERATION,
     BOTTOM,
@@ -32,7 +33,7 @@ from symbalance.notes.checking.meant.catalogue.kinematics import (
     TOP,
     TURNED,
 )
-from symbalance.notes.checking.meant.pistons.motion_letters import OF_CRANK, WAVES, angle_rank, angles_in
+from symbalance.notes.checking.meant.pistons.motion_letters import OF_CRANK, angle_rank
 from symbalance.notes.checking.meant.pistons.motion_words import (
     HAS_OFFSET,
     motions_named,
@@ -247,7 +248,7 @@ class NamedMotions:
         motions = [usual] if usual in motions else motions
         if len(motions) == 1 and not names_another(texts.heading):
             return _Kind(motions[0], texts.heading, is_sure=True)
-        angles = angles_in(claim)
+        angles = letters_in_waves(claim)
         if head.function and len(angles) == 1 and head.name not in angles:
             return _Kind(ROD_ANGLE, "its formula says so", is_sure=False)
         if angle_rank(head.stem) < len(OF_CRANK) and self._is_rod_angle(head.stem):
@@ -313,7 +314,7 @@ class NamedMotions:
             left = chain.sides[0].node
             if isinstance(left, Call) and left.function == "sin" and isinstance(left.argument, Name):
                 name = left.argument.name
-                if any(angles_in(side.node) - {name} for side in chain.sides[1:]):
+                if any(letters_in_waves(side.node) - {name} for side in chain.sides[1:]):
                     letters.add(name)
         return frozenset(letters)
 
