@@ -56,6 +56,13 @@ def test_a_sign_is_refuted_whatever_language_declares_the_letters(symbols):
     assert _last(INERTIA_TORQUE.replace("SIGN", "-"), symbols) in ("conditional", "holds_to_order")
 
 
+def test_a_meaning_is_quoted_as_it_was_typed():
+    page = "Le masse rotanti della manovella danno la forza $F_c = m_r r\\omega^2$.\n"
+    symbols = {"F_c": "forza centrifuga delle masse rotanti", "r": "raggio di manovella"}
+    assumption = sb.check(page, symbols).data()["links"][-1]["assumption"]
+    assert "declared as “forza centrifuga”" in assumption
+
+
 @pytest.mark.parametrize(("page", "symbols", "factors"), PAGES)
 def test_a_standard_formula_is_judged_whatever_language_declares_its_letters(page, symbols, factors):
     right, wrong = factors

@@ -234,9 +234,12 @@ def declarations_of(
     meanings = " ".join(f"{text}." for text in declarations.symbols.values())
 
     def english(meaning: str) -> str:
-        """Return a meaning in English; it is in the language of the others, or of the page."""
-        own = glossary_of(meanings)
-        return (own if own.language else glossary_of(body)).english(meaning)
+        """Return a meaning in English; it is in the language of the others, or of the page.
+
+        The page's own glossary is asked first: it quotes the terms of both as they are typed.
+        """
+        page, own = glossary_of(body), glossary_of(meanings)
+        return (page if own.language in ("", page.language) else own).english(meaning)
 
     return with_fuller_roles(declarations, english), body
 

@@ -78,8 +78,10 @@ def _with_role(name: str, text: str, english: Callable[[str], str]) -> str:
     role = role_of(text)
     if role in KNOWN or HARMONIC.match(role) or text.startswith(PROPOSED):
         return text
-    in_english = english(text)
-    role = fuller_role(text) or fuller_role(in_english)
+    if role := fuller_role(text):
+        return f"{role}, {text}"
+    in_english = english(text)  # asked for only where English words say nothing: it loads a language
+    role = fuller_role(in_english)
     if not role and name in _ANGULAR and _ROTATION.search(text) and not _BY_MINUTE.search(text):
         role = "angular speed"
     if role_of(in_english) == "inertia force":

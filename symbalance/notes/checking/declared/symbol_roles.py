@@ -8,6 +8,8 @@ from functools import cache
 
 from symbalance.text import lazy_patterns as re
 
+BY_MINUTE = "engine speed rpm"
+"""What a letter is declared as that counts revolutions by the minute."""
 CRANK_ANGLE = "crank angle"
 FROM_TOP = "displacement from top dead centre"
 FROM_PIN = "piston position"

@@ -50,7 +50,9 @@ def by_own_numbers(
         return verdict  # what the own case does not give anew is as it was
     kept = {
         name: [
-            replace(entry, last_line=None) if _owner(labels, entry.definition) == own else entry
+            replace(entry, last_line=None)  # the other case's numbers have ended it
+            if name in strange and _owner(labels, entry.definition) == own
+            else entry
             for entry in entries
             if not entry.definition.numeric or _owner(labels, entry.definition) in ("", own)
         ]

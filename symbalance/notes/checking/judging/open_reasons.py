@@ -35,6 +35,8 @@ from symbalance.notes.reading.equations import Chain
 
 DECLARE_IT = "declare what it means"
 """What the reason ends with where a letter is on one side only that nobody declared."""
+_OPEN_RATIOS = frozenset(words.casefold() for words in PHRASES[RATIO])
+"""Declarations that leave open which ratio of crank and rod is meant."""
 UNKNOWN_SMALL = "nobody has said which letter is small: declare what they mean"
 
 
@@ -165,8 +167,8 @@ def _one_sided_letter(
     unlike = set(letters(decision.left)) ^ set(letters(decision.right))
     if decision.expanded_in and chain.relations[k].sign == "=":
         unlike |= _ends_behind(left, knowledge) ^ _ends_behind(right, knowledge)  # whatever is cut off
-    for name in sorted(unlike & _open_ratios(state, line)):
-        return f"{plain_text(Name(name))}, of which nobody says whether it is r/l or l/r,"
+    if open_ratios := unlike & _open_ratios(state, line):
+        return f"{plain_text(Name(min(open_ratios)))}, of which nobody says whether it is r/l or l/r,"
     for name in sorted(unlike):
         is_open = name in free and name not in {
             *state.general,
@@ -184,8 +186,8 @@ def _one_sided_letter(
 
 def _open_ratios(state: JudgingState, line: int) -> set[str]:
     """Return the letters that are declared to be a ratio of crank and rod, and not which one."""
-    open_words = {words.casefold() for words in PHRASES[RATIO]}
-    return {n for n, text in state.declarations.symbols_at(line).items() if text.casefold() in open_words}
+    symbols = state.declarations.symbols_at(line)
+    return {name for name, text in symbols.items() if text.casefold() in _OPEN_RATIOS}
 
 
 def _one_sided_by_value(

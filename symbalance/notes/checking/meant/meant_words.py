@@ -182,7 +182,7 @@ class MeantWords:
         return {name: each for name, each in self.proposals.items() if each.meaning in SIZES}
 
     @cached_property
-    def _ratios(self) -> list[tuple[int, str, Quotient]]:
+    def ratios(self) -> list[tuple[int, str, Quotient]]:
         """The lines that give a letter a quotient of two letters, or of a letter and a formula."""
         return [
             (chain.lines[0], chain.sides[0].node.name, side.node)
@@ -217,7 +217,7 @@ class MeantWords:
         """Return the letter that a line above defines as the ratio of two known lengths."""
         short = {"crank radius": "r", "rod length": "l", "stroke": "s"}
         lengths = {name: short[role_of(text)] for name, text in symbols.items() if role_of(text) in short}
-        for above, name, ratio in self._ratios:
+        for above, name, ratio in self.ratios:
             numerator, below = ratio.numerator, ratio.denominator
             if above > line or name in symbols or not isinstance(numerator, Name):
                 continue

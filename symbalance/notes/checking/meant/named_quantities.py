@@ -728,7 +728,7 @@ class NamedQuantities:
         if named.is_by_form:
             source = f"{NOBODY}; it has the form of that, and “{own}” stands near"
             source = f"{NOBODY}; {own}" if named.is_by_use else source
-        source = f"declared as “{named.words}”" if named.is_declared else source
+        source = f"declared as “{own}”" if named.is_declared else source
         return f"{' '.join(map(plain_letter, name.split()))} is the {named.quantity.name} ({source})"
 
     def _with_slip(

@@ -299,7 +299,7 @@ class Definitions:
         former = self.values.get(name)
         if not former or not former[-1].definition.numeric or former[-1].definition.node == node:
             return
-        nodes = {other: entries[-1].definition.node for other, entries in self.values.items()}
+        nodes = self._nodes()
         for other, entries in self.values.items():
             last = entries[-1].definition
             if last.rounded is not None and other != name and name in names_behind(last.node, nodes):

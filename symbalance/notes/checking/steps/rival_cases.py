@@ -57,12 +57,7 @@ class RivalCases:
         """Forget what the alternatives of a relation say, before it is judged."""
         for other in self._others.get(chain.start, ()):
             is_above = chain.start not in self._in_words and other.start < chain.start
-            lines = (
-                range(other.lines[0], chain.lines[0])
-                if is_above
-                else range(other.lines[0], other.lines[0] + 1)
-            )
-            _forget(state, other, lines)
+            _forget(state, other, chain.lines[0] if is_above else other.lines[0] + 1)
 
     def are_beside(self, chain: Chain) -> bool:
         """Tell whether a relation is one of several of which only one can be true."""
@@ -71,7 +66,7 @@ class RivalCases:
     def leave(self, state: JudgingState, chain: Chain) -> None:
         """Forget what one of the alternatives in a sentence says: none of them is said to be so."""
         if chain.start in self._in_words:
-            _forget(state, chain, range(chain.lines[0], chain.lines[0] + 1))
+            _forget(state, chain, chain.lines[0] + 1)
 
     def _groups(self, chains: Sequence[Chain], kind: str) -> Iterator[list[Chain]]:
         """Yield the alternatives among some relations, as items of a list or in words."""
@@ -122,16 +117,15 @@ class RivalCases:
         return _ITEM.fullmatch(text, first, chain.start) is not None
 
 
-def _forget(state: JudgingState, chain: Chain, lines: range) -> None:
-    """Forget what a relation says of its letters, and the ranges that its item states."""
+def _forget(state: JudgingState, chain: Chain, stop: int) -> None:
+    """Forget what a relation says of its letters, and the ranges of its item, before the line `stop`."""
     state.definitions.forget_range(chain)
-    if len(lines) > 1 or chain.lines[0] in lines:
-        own = chain.letters
-        state.definitions.ranges = [
-            r
-            for r in state.definitions.ranges
-            if r.line not in lines or not names(r.left) | names(r.right) <= own
-        ]
+    lines, own = range(chain.lines[0], stop), chain.letters
+    state.definitions.ranges = [
+        r
+        for r in state.definitions.ranges
+        if r.line not in lines or not names(r.left) | names(r.right) <= own
+    ]
     if chain.relations[0].sign == "=":
         for name in chain.letters:
             state.definitions.forget_line(name, chain.lines[0])

@@ -23,7 +23,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.slips_in_numbers import is_mistyped, is_slip
-from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.declared.symbol_roles import BY_MINUTE, role_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -50,8 +50,6 @@ _ROUGHLY = 0.02
 """By how much a result may be rounded, beyond its digits."""
 _TWO = Fraction(1), Fraction(3)
 """Numbers for the letters left open: what a formula comes to by a product alone is the same with both."""
-BY_MINUTE = "engine speed rpm"
-"""What a letter is declared as that counts revolutions by the minute."""
 _OPEN = (NUMBERS_PUT_IN, "it fixes ")
 
 

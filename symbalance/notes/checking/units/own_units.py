@@ -24,7 +24,7 @@ from symbalance.document.formula import (
     walk,
     with_children,
 )
-from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.declared.symbol_roles import BY_MINUTE, role_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
@@ -36,7 +36,6 @@ PER_MINUTE = (
 )
 """The unit of revolutions per minute, and what stands between it and its number."""
 _UNIT_BEHIND = re.compile(BETWEEN + PER_MINUTE)
-ROLE = "engine speed rpm"
 ANGULAR = "angular speed"
 ANGULAR_LETTERS = ("omega", "Omega")
 _PER_MINUTE = Quotient(Constant("pi"), Number(Fraction(30)))
@@ -98,7 +97,7 @@ def _chain(
     counted = _speeds_in(chain, speeds) if name is None else set()
     by_minute = name is None and any(map(_is_of_sixty, chain.sides))
     as_number = (
-        role == ROLE or (name in numbers and not is_angular) or bool(counted & numbers) or by_minute
+        role == BY_MINUTE or (name in numbers and not is_angular) or bool(counted & numbers) or by_minute
     )
     text = document.text[chain.start : chain.end + _UNIT_LENGTH]
     by_second = name is None and (by_minute or bool(counted) or _HERTZ.search(text) is not None)

@@ -66,8 +66,9 @@ class LabelsOfCases:
             for name in chain.letters
             if re.search(rf"{name}(?!\w)", _OF_CASE.sub("", text[chain.start : chain.end]))
         }
-        self._bare = {label for label in found.values() if label.isalpha() and label not in used}
-        if len(self._bare) > 1:
+        letters = {label for label in found.values() if label.isalpha() and label not in used}
+        self._bare = letters if len(letters) > 1 else set[str]()
+        if self._bare:
             alone = {m.start(): m["label"] or m["other"] for m in _ALONE.finditer(text)}
             found |= {place: label for place, label in alone.items() if label in self._bare}
         self._places = sorted(found)
@@ -84,9 +85,8 @@ class LabelsOfCases:
 
     def behind(self, place: int) -> str:
         """Return the label that words right behind a relation name: "w = 628 rad/s for A"."""
-        match = _BEHIND.match(self._text, place)
-        is_known = match is not None and len(self._bare) > 1 and match["label"] in self._bare
-        return match["label"] if match is not None and is_known else ""
+        match = _BEHIND.match(self._text, place) if self._bare else None
+        return match["label"] if match is not None and match["label"] in self._bare else ""
 
     def at(self, place: int, line: int) -> str:
         """Return the label that a place of a line is about, "" for none in its section."""

@@ -59,15 +59,21 @@ def _cells(notebook: Any) -> list[Any] | None:
     return cells if isinstance(cells, list) else None
 
 
-def _cell_text(cell: Any, number: int, name: str) -> str:
-    kind = cell.get("cell_type") if isinstance(cell, dict) else None
+def _source(cell: Any) -> str | None:
+    """Return what the author typed into a cell, of format 4 or 3; None where it is no text."""
     lines = cell.get("source", cell.get("input", "")) if isinstance(cell, dict) else None
     parts = lines if isinstance(lines, list) else [lines]
-    if not isinstance(kind, str) or not all(isinstance(part, str) for part in parts):
+    if not all(isinstance(part, str) for part in parts):
+        return None
+    return "".join(map(str, parts)).replace("\r\n", "\n").rstrip("\n")
+
+
+def _cell_text(cell: Any, number: int, name: str) -> str:
+    kind, source = cell.get("cell_type") if isinstance(cell, dict) else None, _source(cell)
+    if not isinstance(kind, str) or source is None:
         raise SymbalanceError(
             f"{name}: cell {number}", "is no cell of a notebook", "save it again with Jupyter"
         )
-    source = "".join(str(part) for part in parts).replace("\r\n", "\n").rstrip("\n")
     head = f"<!-- cell {number}: {re.sub('[^a-z]', '', kind.lower()) or 'other'} -->"
     if kind in ("markdown", "heading"):
         return f"{head}\n{source}"
@@ -89,7 +95,7 @@ def _printed(cell: Any) -> str:
     """Return what the program of a cell printed, as the reader of the notebook sees it."""
     parts: list[Any] = []
     outputs = cell.get("outputs") if cell.get("cell_type") == "code" else ()
-    if _SHOWN.match("".join(map(str, cell.get("source", "")))):
+    if _SHOWN.match(_source(cell) or ""):
         return ""  # %%latex: the output is the cell again
     for output in outputs if isinstance(outputs, list) else ():
         if not isinstance(output, dict):

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
+from itertools import permutations
 from math import asin, isfinite, sin
 from typing import NamedTuple
 
@@ -68,7 +70,7 @@ _OF_STROKE = re.compile(
 )
 _OTHER_LENGTH = (
     r"(?:bore|diameter|stroke|circle|distance|pitch|spacing|height|offset|bohrung|durchmesser|\bhub|abstand|höhe|versatz|alésage|diamètre"
-    r"|course|distance|alesaggio|diametro|corsa|distanza|diámetro|carrera|distancia|直径|行程|内径|距離|ストローク)"
+    r"|course|alesaggio|diametro|corsa|distanza|diámetro|carrera|distancia|直径|行程|内径|距離|ストローク)"
 )
 """Lengths that are neither the crank radius nor the rod."""
 _OTHER_BEFORE = re.compile(
@@ -192,29 +194,25 @@ class MotionLetters:
         told = {
             n: _ROLES[role] for n, m in {**proposed, **declared}.items() if (role := role_of(m)) in _ROLES
         }
-        for chain in self.document.chains:
-            head, ratio = chain.sides[0].node, chain.sides[-1 if len(chain.sides) < 2 else 1].node
-            if not isinstance(head, Name) or head.name.partition("_")[0] not in _STEMS["ratio"]:
-                continue
-            if not isinstance(ratio, Quotient):
-                continue
-            above, below = ratio.numerator, ratio.denominator
-            if not isinstance(above, Name) or not isinstance(below, Name):
-                continue
-            for one, other in ((above.name, below.name), (below.name, above.name)):
-                known = _length(other, told)
-                if known and not _length(one, told) and one not in declared and not self._is_other(one):
-                    told[one] = "r" if known == "l" else "l"
+        for one, other in self._lengths_of_ratios:
+            known = _length(other, told)
+            if known and not _length(one, told) and one not in declared:
+                told[one] = "r" if known == "l" else "l"
         return told
 
-    def _is_other(self, letter: str) -> bool:
-        """Tell whether words beside a letter call it another length: the bore b, e the diameter."""
-        text = self.document.text
-        return any(
-            _OTHER_BEFORE.search(text[max(0, m.start() - _BESIDE) : m.start()])
-            or _OTHER_BEHIND.match(text, m.end())
-            for m in re.finditer(rf"(?<![\w\\])\\?{re.escape(letter)}(?!\w)", text)
-        )
+    @cached_property
+    def _lengths_of_ratios(self) -> list[tuple[str, str]]:
+        """The letters of ratios q = e/L, each with its other one, but those of another length."""
+        pairs = [
+            pair
+            for _, name, ratio in self.words.ratios
+            if name.partition("_")[0] in _STEMS["ratio"]
+            and isinstance(ratio.numerator, Name)
+            and isinstance(ratio.denominator, Name)
+            for pair in permutations((ratio.numerator.name, ratio.denominator.name))
+        ]
+        others = {one for one, _ in pairs if _is_another_length(one, self.document.text)}
+        return [(one, other) for one, other in pairs if one not in others]
 
     def _conventions(self, letter: str, knowledge: Knowledge, told: Mapping[str, str]) -> Iterator[bool]:
         """Yield whether a ratio may be l/r (True) or r/l (False); nothing for any other ratio."""
@@ -271,6 +269,19 @@ class MotionLetters:
                 {second == Quotient(sine, Name(letter))} if _is_product(second, letter, sine) else set()
             )
         return known
+
+
+def _is_another_length(letter: str, text: str) -> bool:
+    """Tell whether words beside a letter call it neither crank radius nor rod: the bore b.
+
+    >>> _is_another_length("b", "the bore $b$"), _is_another_length("e", "the throw $e$")
+    (True, False)
+    """
+    return any(
+        _OTHER_BEFORE.search(text[max(0, m.start() - _BESIDE) : m.start()])
+        or _OTHER_BEHIND.match(text, m.end())
+        for m in re.finditer(rf"(?<![\w\\])\\?{re.escape(letter)}(?!\w)", text)
+    )
 
 
 def _length(letter: str, told: Mapping[str, str]) -> str:
