@@ -42,7 +42,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute, with_every
 from symbalance.notes.checking.meant.engines.banks_in_words import (
-    BankAngle,
+    AngleBetweenBanks,
     angle_in,
     direction_in,
     is_a_size,
@@ -159,7 +159,7 @@ class _Said(NamedTuple):
     order: int
     direction: str
     """The function of the crank angle in that direction; "" for a force of the same size in all."""
-    angle: BankAngle
+    angle: AngleBetweenBanks
     degrees: int
     words: str
     may_refute: bool
@@ -284,7 +284,7 @@ class BankResultants:
             return None
         own = without_balance_to_come(without_masses_of_one(f"{heading} {words} {sentence}"))
         is_part = any(p.search(own) for p in (_OF_MORE, _OF_LESS, _ALONE))
-        angle = angle or BankAngle("", number * pi / 360)
+        angle = angle or AngleBetweenBanks("", number * pi / 360)
         return _Said(order, direction, angle, number, " ".join(words.split()), not is_part)
 
     def _stands_behind_another(self, chain: Chain) -> bool:
@@ -674,13 +674,13 @@ def _wrong_factors(own: _Component, half: float) -> list[tuple[float, ...]]:
 def _with_bank_factors(node: Formula, own: _Component, half: float) -> Formula:
     """Return a component with the functions of the angle between the banks that it should have."""
     rest, _ = _split(node, own.bank)
-    factors = _bank_factors(own.wave.function, own.order, BankAngle(own.bank, half))
+    factors = _bank_factors(own.wave.function, own.order, AngleBetweenBanks(own.bank, half))
     parts = rest.factors if isinstance(rest, Product) else (rest,)
     others = tuple(part for part in parts if part != Number(Fraction(1)))
     return Product((*others[:-1], *factors, *others[-1:]))
 
 
-def _bank_factors(function: str, order: int, angle: BankAngle) -> tuple[Formula, ...]:
+def _bank_factors(function: str, order: int, angle: AngleBetweenBanks) -> tuple[Formula, ...]:
     """Return the functions of the angle between the banks that a component has."""
     letter = Name(angle.letter)
 

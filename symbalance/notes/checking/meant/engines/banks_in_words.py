@@ -70,7 +70,7 @@ _GREEK = {"α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "φ": "phi"
 
 
 @dataclass(frozen=True, slots=True)
-class BankAngle:
+class AngleBetweenBanks:
     """The angle between two banks: a letter and how many halves of the angle it is, or degrees."""
 
     letter: str
@@ -100,15 +100,15 @@ def names_an_angle(text: str) -> bool:
     return _OPENING.search(text) is not None
 
 
-def angle_in(text: str, letters: frozenset[str]) -> BankAngle | None:
+def angle_in(text: str, letters: frozenset[str]) -> AngleBetweenBanks | None:
     """Return the letter that words call the angle between the banks, or half of it; None for several.
 
     >>> angle_in("the angle between the cylinder axes being $2\\\\alpha$", frozenset({"alpha"}))
-    BankAngle(letter='alpha', half=1.0)
+    AngleBetweenBanks(letter='alpha', half=1.0)
     """
-    found: set[BankAngle] = set()
+    found: set[AngleBetweenBanks] = set()
     for match in _OPENING.finditer(text):
         letter = _GREEK.get(match["letter"], match["letter"].removeprefix("\\"))
         if letter in letters:
-            found.add(BankAngle(letter, 1.0 if match["half"] else 0.5))
+            found.add(AngleBetweenBanks(letter, 1.0 if match["half"] else 0.5))
     return found.pop() if len(found) == 1 else None
