@@ -59,3 +59,29 @@ def test_numbers_of_one_angle_refute_nothing_at_another():
     assert _refuted(page + AT_PLACES.format(acceleration="4512", force="4842")) == []
     assert _refuted(page + AT_PLACES.format(acceleration="4152", force="4842"))
     assert _refuted(page + AT_PLACES.format(acceleration="4512", force="4284"))
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        "For $\\theta$ equal to 60° we find",
+        "For θ = 60° we find",
+        "Für $\\psi = 60°$ wird",
+        "At $\\alpha = 60^\\circ$",
+        "With cylinders inclined at 60° we find",
+    ],
+)
+def test_the_angle_of_another_letter_or_between_parts_is_no_place_of_the_crank(place):
+    text = f"$y = \\sin\\varphi$. {place} $y = 0.866$."
+    assert "holds" not in {verdict.verdict for verdict in check(text).verdicts}
+    assert "conditional" not in {verdict.verdict for verdict in check(text).verdicts}
+
+
+@pytest.mark.parametrize(
+    "place",
+    ["For $\\varphi$ equal to 60° we find", "For φ = 60° we find", "At $\\phi = 60^\\circ$", "At 60°"],
+)
+@pytest.mark.parametrize(("value", "verdict"), [("0.866", "conditional"), ("0.5", "refuted")])
+def test_the_angle_of_its_own_letter_is_one(place, value, verdict):
+    text = f"$y = \\sin\\varphi$. {place} $y = {value}$."
+    assert check(text).verdicts[-1].verdict == verdict

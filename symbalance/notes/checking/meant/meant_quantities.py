@@ -59,7 +59,7 @@ from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, unit_of, unit_text
 from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
 from symbalance.notes.checking.verdicts import DEFINITION, Verdict
-from symbalance.notes.checking.words.sections import dead_centre_named
+from symbalance.notes.checking.words.places_in_words import dead_centre_named
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 

@@ -20,8 +20,6 @@ from symbalance.document.formula import (
     Name,
     Negative,
     Number,
-    Product,
-    Quotient,
     names,
     walk,
 )
@@ -80,11 +78,11 @@ def angle_there(
 
 def angle_named(state: JudgingState, chain: Chain, knowledge: Knowledge) -> tuple[str, Formula] | None:
     """Return the crank angle and its value that a relation's sentence names: at 90°, bei 90°."""
-    degrees = state.sections.place_of_sentence(chain)
-    name = angle_of_crank(state, chain.lines[0], knowledge) if degrees is not None else ""
-    if not name or degrees is None:
+    name = angle_of_crank(state, chain.lines[0], knowledge)
+    place = state.sections.place_of_sentence(chain) if name else None
+    if place is None or not place.may_be_of(name, state.document.text):
         return None
-    return name, Product((Number(Fraction(degrees)), Quotient(Constant("pi"), Number(Fraction(180)))))
+    return name, place.angle
 
 
 def _turned(node: Formula) -> set[str]:

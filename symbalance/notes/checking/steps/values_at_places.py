@@ -8,16 +8,12 @@ with an angle by its formula in one other: δ = 180° - 2γ, so for 72° δ = 36
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 
 from symbalance.document.formula import (
     Call,
     Constant,
     Formula,
     Name,
-    Number,
-    Product,
-    Quotient,
     names,
     walk,
 )
@@ -31,9 +27,6 @@ from symbalance.notes.checking.steps.meant_roughly import is_said_roughly
 from symbalance.notes.checking.verdicts import PREMISE, REFUTED, UNDECIDED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
-
-HALF_TURN = 180
-"""Degrees."""
 
 
 def value_at_named_place(
@@ -82,9 +75,8 @@ def _place_of(
         return None
     formula = _formula_of(knowledge.definitions.get(head.name))
     formula = formula or knowledge.meaning.values.get(head.name)
-    behind = state.sections.place_behind(chain)
-    degrees = state.sections.place_before(chain) if behind is None else behind
-    if formula is None or degrees is None:
+    named = state.sections.place_behind(chain) or state.sections.place_before(chain)
+    if formula is None or named is None:
         return None
     values = {n: d.node for n, d in knowledge.definitions.items() if n != head.name}
     behind = {*names_behind(formula, values)}
@@ -93,7 +85,9 @@ def _place_of(
     rests_on = {*names_behind(right, values)}
     if len(turning) != 1 or (turning | {head.name}) & rests_on:
         return None
-    return formula, turning.pop(), _angle(degrees)
+    angle = turning.pop()
+    is_its_own = named.may_be_of(angle, state.document.text)
+    return (formula, angle, named.angle) if is_its_own else None
 
 
 def _lone_angle(formula: Formula, behind: set[str], values: dict[str, Formula]) -> set[str]:
@@ -110,18 +104,6 @@ def _formula_of(definition: Definition | None) -> Formula | None:
     if definition is None:
         return None
     return definition.formula if definition.numeric else definition.node
-
-
-def _angle(degrees: int) -> Formula:
-    """Return an angle of whole degrees as a formula in radians."""
-    turn = Fraction(degrees, HALF_TURN)
-    if turn.denominator == 1:
-        return _times_pi(turn) if turn else Number(turn)
-    return Quotient(_times_pi(Fraction(turn.numerator)), Number(Fraction(turn.denominator)))
-
-
-def _times_pi(number: Fraction) -> Formula:
-    return Constant("pi") if number == 1 else Product((Number(number), Constant("pi")))
 
 
 def _turns(name: str, formula: Formula, values: dict[str, Formula]) -> bool:

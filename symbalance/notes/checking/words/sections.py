@@ -24,6 +24,12 @@ from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.items import item_end
 from symbalance.notes.checking.words.listed_cases import item_of_cases
 from symbalance.notes.checking.words.phrases_in_order import PhrasesInOrder
+from symbalance.notes.checking.words.places_in_words import (
+    PlaceInWords,
+    dead_centre_named,
+    first_place,
+    last_place,
+)
 from symbalance.notes.checking.words.running_angles import RunningAngles, angle_placed
 from symbalance.notes.checking.words.table_cells import TableCells, cells_of
 from symbalance.notes.checking.words.value_groups import in_next_groups
@@ -269,30 +275,6 @@ _ROOTS_BEHIND = re.compile(
     re.IGNORECASE,
 )
 """Behind one whose roots are named next."""
-_DEAD = r"\s+(?:dead[\s-](?:cent(?:re|er)|point|position)s?|Totpunkte?s?|Totlagen?)"
-_TOP = rf"(?:top|inner|upper|front|oberen?r?|inneren?r?|vorderen?r?){_DEAD}|上死点"
-_BOTTOM = rf"(?:bottom|outer|lower|back|rear|unteren?r?|äußeren?r?|hinteren?r?){_DEAD}|下死点"
-"""Of an engine that lies, a locomotive's, the front one is its top."""
-_SHORT_TOP, _SHORT_BOTTOM = r"(?<![A-Za-z])(?:TDC|OT)(?![A-Za-z])", r"(?<![A-Za-z])(?:BDC|UT)(?![A-Za-z])"
-_DEAD_CENTRE = re.compile(
-    rf"(?i:(?P<top>{_TOP})|(?P<bottom>{_BOTTOM}|(?:im|at\s+the|am)\s+(?:unteren|outer|lower|bottom)))"
-    rf"|(?P<short_top>{_SHORT_TOP})|(?P<short_bottom>{_SHORT_BOTTOM})"
-)
-_FROM = re.compile(
-    r"(?<![^\W\d_])(?:from|after|past|since|ab|vom?|nach|seit|aus|depuis|après|desde|dal?|dopo)\s"
-    r"(?:(?:the|its|dem|der|le|el|il)\s)?$",
-    re.IGNORECASE,
-)
-"""Before a dead centre that a path or an angle is counted from: Kolbenweg ab OT."""
-_PLACE = re.compile(
-    rf"({_TOP}|{_SHORT_TOP})|({_BOTTOM}|{_SHORT_BOTTOM})"
-    r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour|à|en|przy|vid|per|para|when|wenn|quand|lorsque)\s+(?:an?\s+(?:crank\s+)?angle\s+of\s+)?"
-    r"(?:\$?\\?[a-zθφαψβ]{1,8}\$?\s?(?:=|(?:is|ist|est|equal\s+to|equals|gleich|égale?\s+à|vaut|è|uguale\s+a|es|igual\s+a)\s)\s?)?\$?"
-    r"([0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|([0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)"
-    r"|(?:[αβγθφϕψ]|\\(?:alpha|beta|gamma|theta|varphi|phi|psi))\s?=\s?([0-9]{1,3})\s?(?:°|\^\{?\\circ)",
-    re.IGNORECASE,
-)
-"""Where a value is taken: at a dead centre, or at an angle."""
 _RIGHT_BEHIND = re.compile(
     r"[\s$)}\]\\]{0,4}(?:\\?(?:text|mathrm)\{[^{}]{0,12}\}[\s$)}\]\\]{0,4})?(?:</?\w{1,5}>)?\s?(?:(?!(?:and|und|et)\s)[^\W\d_]{1,3}(?:/[^\W\d_]{1,3})?\s)?(?:at\s|in\s|the\s|its\s){0,2}"
 )
@@ -1032,12 +1014,13 @@ class Sections:
         What stands right behind a relation counts before what stands in front of it.
         """
         behind = self.place_behind(chain)
-        if behind in (0, 180):
-            return behind == 180
+        if behind is not None and behind.degrees in (0, 180):
+            return behind.degrees == 180
         words = self.sentence_before(chain)
         words = self._english(words if words.strip(_OPENING) else self._introduction_above(chain))
         named = dead_centre_named(words)
-        if named is not None and _last_place(words) not in (None, 0, 180):
+        last = last_place(words)
+        if named is not None and last is not None and last.degrees not in (0, 180):
             return None  # at another angle since
         if named is not None or _THERE.match(self.document.text, chain.end) is None:
             return named
@@ -1054,29 +1037,29 @@ class Sections:
         above = text.rstrip(_OPENING)
         return "" if above.endswith(_ENDS) else _SENTENCE_OR_ITEM.split(above)[-1]
 
-    def place_before(self, chain: Chain) -> int | None:
-        """Return the angle in degrees at which words right before a letter's value place it, or None."""
+    def place_before(self, chain: Chain) -> PlaceInWords | None:
+        """Return the place at which words right before a letter's value put it, or None."""
         last = self.last_above(chain.sides[0].node, chain.start)
         first = max(chain.start - LONGEST_INTRODUCTION, last.end if last else 0)
         words = self.document.text[first : chain.start]
-        return _last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
+        return last_place(self._english(_SENTENCE_OR_ITEM.split(words)[-1]))
 
-    def place_of_sentence(self, chain: Chain) -> int | None:
-        """Return the angle in degrees that a relation's sentence or heading names before it, or None."""
-        named = _last_place(self._english(self.sentence_before(chain)))
+    def place_of_sentence(self, chain: Chain) -> PlaceInWords | None:
+        """Return the place that a relation's sentence or heading names before it, or None."""
+        named = last_place(self._english(self.sentence_before(chain)))
         if named is not None or self.end_of_angle_headed(chain.lines[0]) is None:
             return named
         angles = [*_WHOLE_DEGREES.finditer(self.heading_above(chain.lines[0]))]
-        return int(angles[-1]["degrees"]) if angles else None
+        return PlaceInWords(int(angles[-1]["degrees"])) if angles else None
 
-    def place_behind(self, chain: Chain) -> int | None:
-        """Return the angle in degrees at which words right behind a letter's value place it, or None."""
+    def place_behind(self, chain: Chain) -> PlaceInWords | None:
+        """Return the place at which words right behind a letter's value put it, or None."""
         words = re.split(
             r"[.;,:。、=]", self.document.text[chain.end : chain.end + LONGEST_INTRODUCTION]
         )[0]
-        match = _PLACE.search(self._english(words))
-        is_next = match is not None and _RIGHT_BEHIND.fullmatch(words[: match.start()]) is not None
-        return _last_place(match[0]) if match is not None and is_next else None
+        first = first_place(self._english(words))
+        is_next = first is not None and _RIGHT_BEHIND.fullmatch(words[: first.start]) is not None
+        return first if is_next else None
 
     def is_at_another_place(self, chain: Chain) -> bool:
         """Tell whether words place a value elsewhere than its last one: at 0°, then at 180°.
@@ -1089,13 +1072,13 @@ class Sections:
         text, first = self.document.text, last.end
         if chain.start - first > LONGEST_SENTENCE:
             first = max(first, self.start_of_line(self.paragraph_start(chain.lines[0])))
-        here = _last_place(self._english(text[first : chain.start]))
+        here = last_place(self._english(text[first : chain.start]))
         before = self._english(text[max(0, last.start - LONGEST_INTRODUCTION) : last.start])
-        there = _last_place(before)
+        there = last_place(before)
         own = {int(match["degrees"]) for match in _WHOLE_DEGREES.finditer(text, last.start, last.end)}
         if len(own) == 1 and isinstance(last.sides[0].node, Call):
-            there = own.pop()
-        return here is not None and there is not None and here != there
+            there = PlaceInWords(own.pop())
+        return here is not None and there is not None and here.degrees != there.degrees
 
     def is_of_another_body(self, chain: Chain, name: str) -> bool:
         """Tell whether a letter's formula is that of a ring, say, and its last one that of a disc."""
@@ -1154,37 +1137,6 @@ class Sections:
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""
         return self._paragraphs[line - 1][0]
-
-
-def _last_place(words: str) -> int | None:
-    """Return the angle in degrees at which words place a value last, None where they name none."""
-    last = None
-    for match in _PLACE.finditer(words):
-        if not (match[1] or match[2]) or not _FROM.search(
-            words, max(match.start() - 16, 0), match.start()
-        ):
-            last = match
-    if last is None:
-        return None
-    return 0 if last[1] else 180 if last[2] else int(last[3] or last[4] or last[5])
-
-
-def dead_centre_named(words: str) -> bool | None:
-    """Return whether words name bottom dead centre, False for top, None where they name neither.
-
-    What is counted from one is not taken there.
-
-    >>> dead_centre_named("Massenkraft im OT:"), dead_centre_named("at the crank pin")
-    (False, None)
-    >>> dead_centre_named("Kolbenweg ab OT:") is None
-    True
-    """
-    matches = [
-        match
-        for match in _DEAD_CENTRE.finditer(words)
-        if not _FROM.search(words, max(match.start() - 16, 0), match.start())
-    ]
-    return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
 
 
 def _gives(chain: Chain, name: str) -> bool:
