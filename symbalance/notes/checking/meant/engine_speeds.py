@@ -20,6 +20,17 @@ _SPEED = re.compile(
     rf"{BETWEEN}(?:{PER_MINUTE}|(?:/|(?:per|pro|je|par)\s)\s?[Mm]in(?:ute)?(?![A-Za-z]))"
     r"|毎分\s*(?P<behind>[1-9][0-9]{1,4})"
 )
+_RESTATED = re.compile(
+    r"(?:[\s$,(:;⇒→~}\]]|[-−]1|<?/?sup>|\^|\{|\\(?:[,;: ]|quad|qquad|Rightarrow|to|implies)"
+    r"|(?<![^\W\d_])(?:so|thus|hence|i\.?\s?e\.?|that|is|or|which|this|therefore|means?|giving|gives?|the|an?"
+    r"|corresponding|corresponds|equivalent|to|of|angular|speed|velocity|crank|crankshaft"
+    r"|also|d\.?\s?h\.?|das|sind|ist|somit|mithin|entspricht|entsprechend|oder|die|der|einer|einem|eine"
+    r"|winkelgeschwindigkeit|kreisfrequenz|donc|soit|c'est-à-dire|une?|vitesse|angulaire|de|rotation|pulsation"
+    r"|cioè|quindi|ossia|ovvero|velocità|angolare|vale|una?|es|decir|sea|velocidad|luego|la|le)(?![^\W\d_])"
+    r"|回転|すなわち|つまり|よって|したがって|ゆえに|角速度|は|で|、){1,24}",
+    re.IGNORECASE,
+)
+"""Between an engine speed and the angular speed that it is in other words: 3000 rpm, that is ω = 314."""
 SAME = 1e-12
 
 
@@ -31,6 +42,19 @@ def speeds_of(text: str) -> frozenset[int]:
     """
     speeds = (m["speed"] or m["behind"] for m in _SPEED.finditer(text))
     return frozenset(int(re.sub("[^0-9]", "", digits)) for digits in speeds)
+
+
+def speed_restated(words: str) -> int | None:
+    """Return the revolutions per minute that a text is about to say in radians; None for none.
+
+    >>> speed_restated("It turns at $n = 3000$ rpm, so $"), speed_restated("3000 rpm. At resonance $")
+    (3000, None)
+    """
+    last = [*_SPEED.finditer(words)][-1:]
+    between = words[last[0].end() :] if last else ""
+    if re.search(r"[^\W\d_]{2}|\(", between) is None or _RESTATED.fullmatch(between) is None:
+        return None
+    return int(re.sub("[^0-9]", "", last[0]["speed"] or last[0]["behind"]))
 
 
 def decide_speed(

@@ -24,12 +24,13 @@ from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.slips_in_numbers import is_mistyped, is_slip
 from symbalance.notes.checking.declared.symbol_roles import BY_MINUTE, role_of
-from symbalance.notes.checking.meant.engine_speeds import speeds_of
+from symbalance.notes.checking.meant.engine_speeds import speed_restated, speeds_of
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.own_units import is_angular_speed
 from symbalance.notes.checking.verdicts import DEFINITION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
+from symbalance.notes.checking.words.sections import LONGEST_SENTENCE
 from symbalance.notes.checking.words.sizes_of_page import SizeOfPage, is_called, sizes_of_page
 from symbalance.notes.reading.equations import Chain
 
@@ -103,7 +104,10 @@ def _by_sizes(state: JudgingState, chain: Chain, k: int) -> Decision | None:
 
 
 def _unless_mistyped_speed(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:
-    """Return a verdict; ω = 268 1/s is refuted where the sentence or page has 6000 rpm only."""
+    """Return a verdict; ω = 268 1/s is refuted where the sentence or page has 6000 rpm only.
+
+    Any other number is where it says the speed again: 3000 rpm, that is ω = 300 1/s.
+    """
     head, right, line = chain.sides[0].node, chain.sides[1].node, chain.lines[0]
     if not isinstance(head, Name) or not is_lone_number(right):
         return verdict
@@ -112,7 +116,13 @@ def _unless_mistyped_speed(state: JudgingState, chain: Chain, verdict: Verdict) 
     if speed is None or not is_angular_speed(head.name, knowledge.meanings):
         return verdict
     typed, exact = number_of(right, knowledge), number_of(speed[0], knowledge)
-    if not typed or not exact or not is_mistyped(abs(float(typed)), float(exact), right):
+    if not typed or not exact:
+        return verdict
+    number, size = abs(float(typed)), float(exact)
+    before = state.document.text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]
+    is_restated = speed_restated(before) is not None
+    is_wrong = is_mistyped(number, size, right) or (is_restated and abs(number / size - 1) > _ROUGHLY)
+    if not is_wrong:
         return verdict
     state.definitions.forget(head.name, line)
     reason = f"{speed[1]} it is {float(exact):.4g} 1/s"

@@ -32,7 +32,7 @@ BETWEEN = r"(?:\s|[~$]|\\[,;: ]|\\(?:mathrm|text|textrm|unit|si)\s*\{|\}\{|</?[a
 PER_MINUTE = (
     r"(?:rpm|r\.\s?p\.\s?m|(?:rev(?:olution)?s?\.?|turns|tr|U|Umdr?\.?|Umdrehungen|1|tours|giri|rivoluzioni|vueltas|revoluciones|r)"
     r"\s?(?:/|per|pro|par|an?|each|in\s(?:der|a|one)|al|por|à\sla)\s?"
-    r"[Mm]in|min\s*\}?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
+    r"[Mm]in|min\s*[}$]?\s*(?:\^\s*\{?\s*[-−]\s*1|⁻¹|<sup>\s*[-−]\s*1)|\\rpm|\\per\\minute|回転)"
 )
 """The unit of revolutions per minute, and what stands between it and its number."""
 _UNIT_BEHIND = re.compile(BETWEEN + PER_MINUTE)
