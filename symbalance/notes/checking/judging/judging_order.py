@@ -38,6 +38,7 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
             is_result = sections.is_consequence(chain) or own in heads_above | with_formula or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
             is_result = is_result or _completes_equation(document, sections, chain, by_line[line])
+            is_result = is_result or _is_beside_result(document, chain, by_line[line])
             is_case = states_a_case(chain) or is_worked_out_behind(document, chain, by_line[line])
             if is_case and not is_result:
                 first[own] = chain
@@ -81,6 +82,19 @@ def _completes_equation(
         if c.end <= chain.start and isinstance(c.sides[0].node, Name) and not names(c.sides[-1].node)
     }
     return head.name not in given and any(c.letters - {head.name} <= given for c in equations)
+
+
+_BESIDE = re.compile(r"[\s$,;&}]*(?:\\(?:text|mathrm)\{)?\s*(?:\\q?quad|and|und|et|y|e|と)\}?[\s$&\\,]*")
+"""Between two results in a row: m_1 = m h/l = 0.17 kg, and m_2 = 0.43 kg."""
+
+
+def _is_beside_result(document: ReadNotes, chain: Chain, row: Sequence[Chain]) -> bool:
+    """Tell whether a number stands in a row with the result of a formula that has not its letter."""
+    for before in row:
+        is_next = _BESIDE.fullmatch(document.text, before.end, chain.start) is not None
+        if is_next and _gives_formula(before) and chain.letters.isdisjoint(before.letters):
+            return not names(before.sides[-1].node)
+    return False
 
 
 def _is_implicit(chain: Chain) -> bool:

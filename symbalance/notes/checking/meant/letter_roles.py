@@ -14,7 +14,14 @@ from symbalance.document.formula import Formula, Name, names
 from symbalance.document.letters import ACCENTS, plain_letter
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.meant.catalogue import OTHER_LENGTHS, ROLES
-from symbalance.notes.checking.meant.said_behind import all_said_behind, heads_of, shortest_head_of
+from symbalance.notes.checking.meant.nouns_of_several import nouns_of_several
+from symbalance.notes.checking.meant.said_behind import (
+    SaidBehind,
+    all_said_behind,
+    heads_of,
+    shortest_head_of,
+)
+from symbalance.notes.checking.meant.symbols_listed import symbols_listed
 from symbalance.text import lazy_patterns as re
 
 UNITS_ONLY = re.compile(r"variable|positive|constant|[^\w]*|[A-Za-z°µ%/^*·0-9² ³⁴⁻¹-]{0,9}")
@@ -227,6 +234,18 @@ class LetterRoles:
         return is_multiple or re.search(part, self.text) is not None
 
     @cached_property
+    def _said_behind(self) -> tuple[SaidBehind, ...]:
+        text = self.text
+        return *nouns_of_several(text), *symbols_listed(text), *all_said_behind(text)
+
+    def said_behind(self, letter: str) -> Iterator[str]:
+        """Yield what words behind a letter say that it is, whole and then without what qualifies it."""
+        pattern = re.compile(sign_of(letter))
+        for each in self._said_behind:
+            if pattern.fullmatch(each.sign):
+                yield from heads_of(each.words)
+
+    @cached_property
     def _names_behind(self) -> frozenset[str]:
         """The names that stand behind letters: what their noun is counts, and not how they end."""
         return frozenset(self._name_behind.values())
@@ -236,7 +255,7 @@ class LetterRoles:
         """By the place of a letter in the text: what is known of its name behind it, or its noun."""
         return {
             each.start: next(filter(_is_known, heads_of(each.words)), shortest_head_of(each.words))
-            for each in all_said_behind(self.text)
+            for each in self._said_behind
         }
 
     def words_before(self, letter: str) -> list[str]:

@@ -7,6 +7,7 @@ goes with them.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -27,6 +28,7 @@ from symbalance.notes.checking.meant.letter_roles import (
     sign_of,
     without_accent,
 )
+from symbalance.notes.checking.meant.symbols_listed import ends_of_entries
 from symbalance.notes.checking.words.case_words import engine_named
 from symbalance.notes.checking.words.glossary import Glossary, glossary_of
 from symbalance.notes.checking.words.sections import Sections
@@ -208,6 +210,10 @@ class QuantityWords:
     def page(self) -> str:
         """The text of the page with its terms in English."""
         return self.glossary.english(self.document.text)
+
+    @cached_property
+    def _ends_of_entries(self) -> list[int]:
+        return ends_of_entries(self.document.text)
 
     def _heading(self, chain: Chain) -> str:
         """Return the heading above a relation with its terms in English."""
@@ -405,8 +411,8 @@ class QuantityWords:
                 yield named
 
     def _by_letter(self, name: str, stem: str, places: Places, sentence: str) -> Iterator[Named]:
-        """Yield the quantities that words right before a letter name anywhere on the page."""
-        for words in dict.fromkeys(self.roles.words_before(name)):
+        """Yield the quantities that words beside a letter name anywhere on the page."""
+        for words in dict.fromkeys((*self.roles.words_before(name), *self.roles.said_behind(name))):
             named = list(self._by_phrases(words, stem, places, sentence))
             yield from (each for each in named if ends_with(each.quantity.phrases, words))
 
@@ -465,6 +471,10 @@ class QuantityWords:
         above = self.sections.chain_before(start)
         first = 0 if above is None else above.end
         last = max(0, start - PARAGRAPH) + len(words)
+        entries = bisect_right(self._ends_of_entries, start)
+        if entries:  # a list of symbols is of other letters
+            first = max(first, self._ends_of_entries[entries - 1])
+            sentence = sentence[-max(1, last - first) :]
         before = sentence[-(last - first) :] if last - first < len(sentence) else sentence
         before = before if last > first else ""
         paragraphs = " ".join(_BLANK.split(words)[-2:])

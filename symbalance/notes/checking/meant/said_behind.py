@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 from symbalance.text import lazy_patterns as re
 
-_SIGN = (
+SIGN = (
     r"\\?(?:[^\W\d_]|\\?[A-Za-z]{2,9})(?:_(?:\{[^{}$]{1,14}\}|\w))?'{0,2}"
     r"|\\[a-z]{3,8}\s?\{?\\?[A-Za-z]+\}?(?:_\w)?"
 )
-_LONE = re.compile(rf"\$\s?(?P<sign>{_SIGN})(?:\([^()$]{{1,9}}\))?\s?\$|\\\(\s?(?P<other>{_SIGN})\s?\\\)")
+_LONE = re.compile(rf"\$\s?(?P<sign>{SIGN})(?:\([^()$]{{1,9}}\))?\s?\$|\\\(\s?(?P<other>{SIGN})\s?\\\)")
 """A letter alone between the marks of a formula."""
 _ENDS = re.compile(r"[.。!?](?=\s|$)|\n\s*\n|\$\$|\\\[|\\begin|;\s*\n")
 """Where a sentence ends, or a displayed formula begins."""
