@@ -22,8 +22,8 @@ _QUALIFIED = (
 )
 _PAIR = re.compile(
     rf"(?<![^\W\d_])(?P<noun>{'|'.join(_SINGULAR)})(?:\s[^\W\d_]{{3,16}})?(?:,|:|\s[-–—]|\s\()?\s"
-    rf"(?:one\s|eine[rs]?\s|l'une\s)?\$(?P<first>{SIGN})\$,?\s(?P<here>{_QUALIFIED}),?\s"
-    rf"(?:and|und|et|e|y|,)\s(?:the\sother\s)?\$(?P<second>{SIGN})\$,?\s(?P<there>{_QUALIFIED})"
+    rf"(?:one\s|eine[rs]?\s|l'une\s)?\$(?P<first>{SIGN})\$,?\s(?P<here>{_QUALIFIED})"
+    rf"(?:,|,?\s(?:and|und|et|e|y))\s(?:the\sother\s)?\$(?P<second>{SIGN})\$,?\s(?P<there>{_QUALIFIED})"
     r"(?=[\s]*(?:[.,;:()]|\$\$|$))",
     re.IGNORECASE | re.MULTILINE,
 )

@@ -55,14 +55,16 @@ _IN_BRACKETS = re.compile(
     re.MULTILINE,
 )
 """An entry of a list in brackets."""
-_IN_JAPANESE = re.compile(rf"{_MARKED}[ \t]*(?:は|：|:|が)[ \t]*(?P<words>[^\n$。、，,（(=：]{{2,40}})")
+_IN_JAPANESE = re.compile(rf"{_MARKED}[ \t]*(?:は|：|が)[ \t]*(?P<words>[^\n$。、，,（(=：]{{2,40}})")
 _LIST_IN_BRACKETS = re.compile(r"[(（][^()（）\n]{0,400}[)）]")
 _IS_CLAUSE = re.compile(
-    r"\b(?:is|are|was|be|becomes?|gives?|follows?|has|have|we|it|so|then|ist|sind|wird|werden|beträgt|gilt"
+    r"\s/\s|[*^]|\b(?:is|are|was|be|becomes?|gives?|follows?|has|have|we|it|so|then|ist|sind|wird|werden|beträgt|gilt"
     r"|folgt|wir|est|sont|vaut|on|è|vale|si|es|se)\b|次の?式",
     re.IGNORECASE,
 )
-"""In words that are a clause and no name."""
+"""In words that are a clause or a formula, and no name."""
+_OF_HEAD = re.compile(r"[^\n]*\n[ \t]*\|?[ \t]*:?-{2,}")
+"""Behind what stands in the head of a table: its next line is the rule below."""
 _ENDINGS = re.compile(r"(?:である|です|とする|を表す|を示す)$")
 _UNIT = re.compile(r"\s+(?:in|en)\s+\S{1,12}(?:\s?[/·]\s?\S{1,8})?$|\s+[/[]\S{1,12}$")
 """The unit behind a name: mean piston speed in m/s."""
@@ -101,6 +103,7 @@ def _take(match: re.Match[str], offset: int, found: dict[int, SaidBehind]) -> No
     """Note what an entry says, unless its words are no name."""
     group = next(g for g, sign in match.groupdict().items() if sign and g != "words")
     words = _UNIT.sub("", _ENDINGS.sub("", match["words"].strip()))
-    if len(words) > 1 and not _IS_CLAUSE.search(words):
+    is_of_head = _OF_HEAD.match(match.string, match.end()) is not None
+    if len(words) > 1 and not is_of_head and not _IS_CLAUSE.search(words):
         start = match.start(group) + offset
         found.setdefault(start, SaidBehind(match[group], start, words))
