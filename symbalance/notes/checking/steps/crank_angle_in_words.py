@@ -19,6 +19,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.slips_in_numbers import is_slip
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.values_of_moments import without_moments
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.checking.words.crank_places import CrankPlace, crank_places
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -36,7 +37,7 @@ def at_crank_angle_in_words(state: JudgingState, chain: Chain, k: int, verdict: 
         return verdict
     if (place := _place(state, chain)) is None:
         return verdict
-    knowledge = state.knowledge(chain.lines[0])
+    knowledge = without_moments(chain, state.sections, state.knowledge(chain.lines[0]))
     theta = _crank_angle(left.node, knowledge)
     if theta is None or _has_nearer_number(state, chain, theta, place.start):
         return verdict

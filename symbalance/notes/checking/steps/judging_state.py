@@ -66,6 +66,7 @@ from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.cranks_said_anew import with_cranks_of_sentence
 from symbalance.notes.checking.steps.printed_results import PrintedResults
+from symbalance.notes.checking.steps.values_of_moments import without_moments
 from symbalance.notes.checking.units.stated_units import StatedUnits
 from symbalance.notes.checking.verdicts import CONTRADICTION, PROVED_WORDS, REFUTED, STATED
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
@@ -331,7 +332,7 @@ class JudgingState:
         printed = knowledge.printed | values_put_in(chain, knowledge)
         first = chain.lines[0] - NEAR_RANGE
         own = replace(knowledge, crank_angles=angles, own_ranges_from=first, printed=printed)
-        own = with_conjugates(chain, own)
+        own = without_moments(chain, self.sections, with_conjugates(chain, own))
         return with_ranges_in_words(chain, self.document, with_conditions(chain, self.document, own))
 
     def cranks_of(self, chain: Chain) -> CrankAngles | None:

@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.document import formula
-from symbalance.document.formula import Formula, Number, names
+from symbalance.document.formula import Formula, Name, Number, names, walk
 from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.document.wordlists import words
@@ -140,6 +140,11 @@ _SETTING = re.compile(
     r"\\(?:mathrm|text|textrm|mbox|unit|si|rm|cdot|left|right|[bB]igg?[lr]?)(?![A-Za-z])"
     r"|\\[,;:! ]|[~${}()\[\]]"
 )
+_POWER_OF_TEN = re.compile(
+    r"(?P<number>[0-9])(?:\s?(?:\\(?:cdot|times)|[·×⋅*]|\\?[,;:])\s?)+10(?:\^\s?(?:\{\s?[-−+]?[0-9]{1,2}\s?\}|[-−+]?[0-9]{1,2})"
+    r"|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2})|(?<=[0-9])[eE][-+]?[0-9]{1,2}(?![0-9A-Za-z])"
+)
+"""The power of ten of a number between it and its unit: 1.8·10⁹ N."""
 _QUANTITY = re.compile(
     r"\s*(?P<number>[-+−]?[0-9](?:[0-9.,]|\s[0-9]{3}(?![0-9]))*[½⅓⅔¼¾⅛⅜⅝⅞]?)?\s*(?P<unit>\S.*?)?[\s.,;]*$",
     re.DOTALL,
@@ -225,6 +230,8 @@ def written_unit(source: str) -> tuple[bool, str]:
     ((True, 'kg'), (True, ''))
     >>> written_unit(r"314\,\mathrm{s}^{-1}"), written_unit(r"5\,\text{kg m}^2")
     ((True, 's^-1'), (True, 'kg m^2'))
+    >>> written_unit(r"1.8\cdot10^{9}\,\mathrm{N}"), written_unit("1.8·10⁹ N")
+    ((True, 'N'), (True, 'N'))
     >>> written_unit(r"2\,\mathrm{\frac{kg\,m}{s^{2}}}")
     (True, 'kg m/s^2')
     """
@@ -234,6 +241,7 @@ def written_unit(source: str) -> tuple[bool, str]:
     typed = _TYPED.search(source)
     if typed is not None:
         source = f"{typed['number']} {siunitx.unit_text(typed['unit']) or '?'}"
+    source = _POWER_OF_TEN.sub(r"\g<number>", source)
     plain = _BEFORE_EXPONENT.sub("^", _SETTING.sub(" ", _EXPONENT.sub(r"^\1", source)))
     match = _QUANTITY.match(plain)
     if match is None:
@@ -247,6 +255,12 @@ def _with_stroke(match: re.Match[str]) -> str:
     if any(part[:1].isdecimal() for part in (*above, *below)):
         return match[0]  # a fraction of numbers
     return f" {' '.join(above)}" + "".join(f"/{part}" for part in below)
+
+
+RADIANS = "rad/s"
+_CYCLES = frozenset({"Hz", "kHz", "rpm", "rev/s", "rev/min", "U/min", "r/min", "1/min", "min^-1"})
+"""Units in which turns are counted, and not radians."""
+_PLAIN_PARTS = (Name, Number, formula.Product, formula.Quotient)
 
 
 class _MismatchError(Exception):
@@ -318,11 +332,35 @@ class Dimensions:
             return None
 
     def _turns(self, left: Formula, right: Formula) -> Mismatch | None:
-        """Return that turns are set equal to radians: 50 Hz are no 50 rad/s."""
-        units = [self.unit_at(left), self.unit_at(right)]
-        if sorted(units) != ["Hz", "rad/s"]:
+        """Return that turns are set equal to radians: 50 Hz are no 50 rad/s.
+
+        Nor is a letter of 632 rad/s above 632 Hz, or 60 times it in turns a minute: a 2π is missing.
+        """
+        units = [self._turning_unit(left), self._turning_unit(right)]
+        if RADIANS not in units or not _CYCLES & {*units}:
             return None
-        return Mismatch("1 Hz is 2π rad/s: the left side is in", self.of(left) or NONE, NONE)
+        what = "1 Hz is 2π rad/s" if "Hz" in units else "a turn is 2π radians"
+        return Mismatch(f"{what}: the left side is in", self.of(left) or NONE, NONE)
+
+    def _turning_unit(self, node: Formula) -> str:
+        """Return the unit of turning in which a number, or a letter's, is typed; "" for none.
+
+        A multiple of a letter is in its unit, unless a π in it converts.
+        """
+        parts = [part for part in walk(node) if isinstance(part, Name)]
+        is_plain = all(isinstance(part, _PLAIN_PARTS) for part in walk(node))
+        if not parts:
+            return self._typed_turning(node)
+        value = self.values.get(parts[0].name) if is_plain and len(parts) == 1 else None
+        is_above = isinstance(node, formula.Quotient) and names(node.denominator)
+        if value is None or names(value) or is_above:
+            return ""
+        return self._typed_turning(value)
+
+    def _typed_turning(self, node: Formula) -> str:
+        typed = (self.unit_at(part) for part in walk(node))
+        signs = {sign_of_unit(unit) or unit for unit in typed if unit}
+        return signs.pop() if len(signs) == 1 else ""
 
     def of(self, node: Formula, depth: int = 0) -> Dimension | None:
         """Return a formula's dimension, None where it is open; a sum of unlike terms is refused."""
@@ -353,15 +391,16 @@ class Dimensions:
 
     def unit_at(self, node: Formula, *, alone: bool = False) -> str:
         """Return the unit that stands at a number, or is what a factor was read from; "" for none."""
-        is_factor = isinstance(node, Number | formula.Quotient | formula.Product) and not names(node)
-        if not self.text or not is_factor:
+        is_number = isinstance(node, Number) or _is_scientific(node)
+        is_factor = is_number or isinstance(node, formula.Quotient | formula.Product)
+        if not self.text or not is_factor or names(node):
             return ""
         has_number, unit = written_unit(self.text[node.span[0] : node.span[1]])
         if unit in ("g", "G") and isinstance(node, Number) and node.value == GRAVITY:
             unit = "gn"
-        if has_number and (alone or not isinstance(node, Number)):
+        if has_number and (alone or not is_number):
             return ""
-        is_unit = unit_of(unit) is not None if not isinstance(node, Number) else unit[:1].isalpha()
+        is_unit = unit[:1].isalpha() if is_number else unit_of(unit) is not None
         return unit if is_unit or (has_number and unit) else ""
 
     def is_of_units(self, node: Formula) -> bool:
@@ -413,6 +452,14 @@ def is_open(node: Formula, source: str) -> bool:
     """
     has_no_unit = not names(node) or _is_wave_of_amounts(node)
     return has_no_unit or _WRITTEN_UNIT.search(source) is not None
+
+
+def _is_scientific(node: Formula) -> bool:
+    """Tell whether a formula is a whole number with a power of ten, 2 · 10⁻⁵, or that power alone."""
+    if isinstance(node, formula.Product) and len(node.factors) == 2:
+        return isinstance(node.factors[0], Number) and _is_scientific(node.factors[1])
+    is_power = isinstance(node, formula.Power) and node.base == Number(Fraction(10))
+    return is_power and not names(node)
 
 
 def _number(dimensions: Dimensions, node: Number, depth: int) -> Dimension | None:

@@ -8,12 +8,24 @@ its speed revolutions per minute where the unit needs radians per second.
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
+from itertools import product
 from math import isclose, log10, pi
 from typing import NamedTuple
 
-from symbalance.document.formula import Formula, Name, Number, names
+from symbalance.document.formula import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    names,
+)
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.units.conversions import Quantity, quantity_of, scale_of, sign_of_unit
@@ -39,6 +51,8 @@ _CONVERTERS = {Fraction(n) for n in (12, 30, 36, 60, 75, 3600)} | {Fraction(18, 
 """Numbers of time, feet and horse-power: s n/30."""
 _TURNS = (pi / 30, 30 / pi, pi / 180, 180 / pi)
 """Numbers that convert turns a minute or degrees, printed in digits: 0.10472, 9.55."""
+MOST_FACTORS = 4
+"""Factors of conversion of one arithmetic, each of which may count something instead."""
 _UNITS = 3
 """Words that a unit has at most: kg m s⁻¹."""
 _MARKUP = re.compile(r"\\(?:mathrm|text|textrm|mbox|,|;|:|!|quad|ensuremath)|[~${}]|</?[a-z]+>")
@@ -98,6 +112,8 @@ def refuted_by_units_above(
     if not in_unit:
         words = text + document.text[chain.start : chain.end]
         return _of_another_kind(readings, numbers, above, unit, words)
+    if (size := _misconverted(known, in_unit)) is not None:
+        return Decision(REFUTED, f"by the units above it is {size:.4g} {result.unit}")
     scale = _scale_of_arithmetic(arithmetic, result)
     if scale is None or not all(_is_wrong(reading, reading.scale / scale) for reading in in_unit):
         return None
@@ -170,6 +186,64 @@ def _numbers_with_units(chain: Chain, k: int, document: ReadNotes) -> _KnownNumb
     if has_own or not any(_units_at(number.value, above) for number in numbers):
         return None
     return _KnownNumbers(arithmetic, numbers, above, result, unit, text)
+
+
+def _misconverted(known: _KnownNumbers, readings: list[UnitReading]) -> float | None:
+    """Return what an arithmetic with factors of conversion is in the unit of its result; None if right.
+
+    60 · 10⁵ · 50 of bar and cm² is 30 kN: whatever converts what, it is no 300 MN. Each factor may
+    convert or count; the result is wrong if none of these gives it and one misses it by a power of ten.
+    """
+    printed = float(known.result.value * known.result.scale)
+    factors = {value for reading in readings for value in reading.open_numbers}
+    if not printed or not factors or len(factors) > MOST_FACTORS or not all(map(_converts, factors)):
+        return None
+    off: float | None = None
+    for converting in product((True, False), repeat=len(factors)):
+        ones = {value for value, converts in zip(sorted(factors), converting, strict=True) if converts}
+        value = value_of(_without(known.arithmetic, ones))
+        for reading in readings if value is not None else ():
+            exact = (value or 0.0) * reading.scale
+            ratio = abs(exact / printed)
+            power = round(log10(ratio)) if ratio else 0
+            if not ratio or isclose(ratio, 1, rel_tol=0.02):
+                return None
+            if isclose(ratio, 10.0**power, rel_tol=0.01) and all(converting):
+                off = exact / float(known.result.scale)
+    return off
+
+
+def _converts(value: Fraction) -> bool:
+    """Tell whether a number is one that converts units: 10⁵, 60, 9550, 3.6."""
+    if _is_power_of_ten(value):
+        return True
+    power = Fraction(10) ** round(log10(value))
+    scaled = [value / power * Fraction(10) ** n for n in range(-1, 5)]
+    return any(
+        number in _CONVERTERS or any(isclose(number, turn, rel_tol=0.001) for turn in _TURNS)
+        for number in scaled
+    )
+
+
+def _without(node: Formula, ones: Collection[Fraction]) -> Formula:
+    """Return an arithmetic with 1 for some of its numbers."""
+    with_ones: Formula = node
+    match node:
+        case Number(value=value):
+            with_ones = Number(Fraction(1)) if value in ones else node
+        case Negative(operand=operand):
+            with_ones = replace(node, operand=_without(operand, ones))
+        case Power(base=base):
+            with_ones = replace(node, base=_without(base, ones))
+        case Product(factors=parts):
+            with_ones = replace(node, factors=tuple(_without(part, ones) for part in parts))
+        case Quotient(numerator=above, denominator=below):
+            with_ones = Quotient(_without(above, ones), _without(below, ones))
+        case Sum(terms=parts):
+            with_ones = replace(node, terms=tuple(_without(part, ones) for part in parts))
+        case _:
+            pass
+    return with_ones
 
 
 def _values_at(document: ReadNotes, places: Collection[int]) -> set[Fraction]:
