@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from symbalance.checking import check
 from tests.checked_pages import last_verdict
 
 SYMBOLS = (
@@ -53,3 +54,56 @@ def test_the_case_before_does_not_prove_it(tmp_path, page):
 @pytest.mark.parametrize("page", RIGHT)
 def test_what_is_right_there_is_proved(tmp_path, page):
     assert last_verdict(tmp_path, page, SYMBOLS) in ("holds", "holds_to_order", "conditional")
+
+
+EQUAL = [
+    "If $m_1 = m_2$, then $m_1 + m_2 = 2 m_1$.\n{} $m_1 + m_2 = 2m_1$.",
+    "For $m_1 = m_2$ we have $m_1 + m_2 = 2 m_1$.\n\n{} $m_1 + m_2 = 2m_1$.",
+    "Für $m_1 = m_2$ gilt $m_1 + m_2 = 2 m_1$. {} $m_1 + m_2 = 2m_1$.",
+]
+LEFT = [
+    "In general", "Otherwise", "For unequal masses", "If the masses are different,", "Im Allgemeinen",
+    "Sonst", "Bei verschiedenen Massen", "Sinon", "En général",
+]  # fmt: skip
+GOES_ON = ["Therefore", "So", "Also", "That is, with equal masses", "Damit wird"]
+
+
+@pytest.mark.parametrize("page", EQUAL)
+@pytest.mark.parametrize("words", LEFT)
+def test_a_case_of_two_equal_letters_ends_with_its_opposite(page, words):
+    last = check(page.format(words)).verdicts[-1]
+    assert last.verdict not in {"holds", "conditional", "holds_to_order"}
+
+
+@pytest.mark.parametrize("page", EQUAL)
+@pytest.mark.parametrize("words", GOES_ON)
+def test_it_goes_on_otherwise(page, words):
+    assert check(page.format(words)).verdicts[-1].verdict == "conditional"
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        "## Equal discs\n\n$J_1 = J_2$: $J_1 + J_2 = 2J_1$.\n\n## Different discs\n\n$J_1 + J_2 = 2J_1$.",
+        "Case 1. $a = b$: $a^2 - b^2 = 0$.\nCase 2. $a > b$: $a^2 - b^2 = 0$.",
+        "Fall 1: $a = b$, also $a^2 - b^2 = 0$.\n\nFall 2: $a > b$, also $a^2 - b^2 = 0$.",
+        "Without damping, $D = 0$, $\\sqrt{1 - D^2} = 1$. With damping $\\sqrt{1-D^2} = 1$.",
+        "Ohne Dämpfung, $D = 0$, ist $\\sqrt{1 - D^2} = 1$. Mit Dämpfung ist $\\sqrt{1-D^2} = 1$.",
+        "A long rod, for $k = 0$: $1 + k = 1$. For a rod of finite length $1 + k = 1$.",
+    ],
+)
+def test_so_do_titles_numbered_cases_and_what_is_zero(page):
+    last = check(page).verdicts[-1]
+    assert last.verdict not in {"holds", "conditional", "holds_to_order"}
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        "Case 1. $a = b$: $a^2 - b^2 = 0$.\nHere $a^3 - b^3 = 0$.",
+        "## Equal discs\n\n$J_1 = J_2$: $J_1 + J_2 = 2J_1$.\n\nTherefore $J_1 + J_2 = 2J_2$.",
+        "Without damping, $D = 0$, $\\sqrt{1 - D^2} = 1$. With this $\\sqrt{1+D^2} = 1$.",
+    ],
+)
+def test_within_its_case_it_holds(page):
+    assert check(page).verdicts[-1].verdict in {"holds", "conditional"}

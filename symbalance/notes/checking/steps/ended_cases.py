@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Formula, Name, names
+from symbalance.document.formula import Formula, Name, Number, names
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.tree_values import sample_trees
@@ -61,6 +61,36 @@ _ONLY = re.compile(
     r"(?<![^\W\d_\\])(?:only|nur|seulement|solo|solamente|uniquement)(?![^\W\d_])|のみ", re.IGNORECASE
 )
 """Before a range that something holds in: it leaves no case, isolation only when η > 2."""
+_UNEQUAL = re.compile(
+    r"(?<![^\W\d_\\])(?:unequal|not\s+equal|different|differ|distinct|ungleiche?[nrsm]?|verschiedene?[nrsm]?|unterschiedliche?[nrsm]?"
+    r"|inégales?|inégaux|différente?s?|distincte?s?|divers[aieo]|disugual[ei]|desiguales|distint[ao]s|diferentes)(?![^\W\d_])|異な",
+    re.IGNORECASE,
+)
+"""Words that leave a case of two letters that are equal."""
+_NOT_ZERO = re.compile(
+    r"(?<![^\W\d_\\])(?:finite|non-?zero|not\s+zero|endliche?[nrsm]?|von\s+null\s+verschieden\w*|non\s+null[eoai]?s?|finit[aoie]|finie?s?|finit[ao]s)"
+    r"(?![^\W\d_])|有限|零でない",
+    re.IGNORECASE,
+)
+"""Words that leave a case in which a letter is zero."""
+_WITHOUT = re.compile(
+    r"(?<![^\W\d_\\])(?:without|no|zero|ohne|sans|senza|sin)\s+(?:the\s+|an?\s+)?(?P<what>[^\W\d_]{4,})",
+    re.IGNORECASE,
+)
+_WITH = re.compile(
+    r"(?<![^\W\d_\\])(?:with|mit|avec|con)\s+(?:the\s+|an?\s+|some\s+)?(?P<what>[^\W\d_]{4,})",
+    re.IGNORECASE,
+)
+"""Without damping, and with it."""
+_LABEL = re.compile(
+    r"(?<![^\W\d_\\])(?:case|fall|cas|caso)\s*\(?(?:[0-9]{1,2}|[a-h]|[ivx]{1,4})\)?\s*(?:[.:,)–—-]|(?=\())"
+    r"|場合\s*[0-9]",
+    re.IGNORECASE,
+)
+"""What numbers one case of several."""
+_LABEL_LAST = re.compile(rf"(?:{_LABEL.pattern})[\s$*(]*$", re.IGNORECASE)
+_TITLE_BEHIND = re.compile(r"[\s$)}\]*]{0,4}[:：](?!=)")
+"""Behind a relation that is the title of what follows: J_1 = J_2: …"""
 _SENTENCE = re.compile(r"[.;!?]\s|[;。；]|\n\s*\n")
 _JOINED = re.compile(r"[\s$,)]*(?:(?:and|und|et|y|e)(?![^\W\d_])|[,、と])[\s$(]*")
 REACH = 200
@@ -100,10 +130,10 @@ def letters_of_ended(state: JudgingState, chain: Chain) -> frozenset[str]:
 
 def _ended_by(state: JudgingState, chain: Chain) -> list[Chain]:
     """Return the open cases that end right before a relation, or with it."""
-    cases = _open_cases(state, chain)
+    cases, titled = _open_cases(state, chain), _titles_of_sections_above(state, chain)
     last = state.sections.chain_before(chain.start)
     if not cases or last is None:
-        return []
+        return titled
     text = state.document.text
     words = _SENTENCE.split(text[last.end : chain.start])
     ended: list[Chain] = []
@@ -111,10 +141,28 @@ def _ended_by(state: JudgingState, chain: Chain) -> list[Chain]:
         ended = _last_of(cases, text)
     elif _GENERALLY.search(words[-1]) and (len(words) > 1 or last not in cases):
         ended = [c for c in cases if c.sides[0].node != chain.sides[0].node]
+    elif _LABEL.search(text[last.end : chain.start]):
+        ended = [c for c in cases if _LABEL_LAST.search(text[max(0, c.start - REACH) : c.start])]
+    elif opposed := [c for c in cases if _is_opposite(text, c, words[-1])]:
+        ended = opposed
     elif _is_range_of_letter(chain) and not _ONLY.search(words[-1]):
         ended = [c for c in cases if c.letters == chain.letters and _is_left_by(c, chain)]
     ended += [c for c in cases if c not in ended and _is_no_more_supposed(state, c, chain)]
-    return ended
+    return [*ended, *titled]
+
+
+def _titles_of_sections_above(state: JudgingState, chain: Chain) -> list[Chain]:
+    """Return the titles of two equal letters, J_1 = J_2: …, of the sections before a relation's."""
+    first = state.sections.section_start(chain.lines[0])
+    closed = {c.start for c in state.ended_cases} | state.cases_to_leave.keys()
+    return [
+        case
+        for case in state.openings or ()
+        if case.lines[0] < first
+        and case.start not in closed
+        and all(isinstance(side.node, Name) for side in case.sides)
+        and _is_titled(state.document.text, case)
+    ]
 
 
 def _open_cases(state: JudgingState, chain: Chain) -> list[Chain]:
@@ -172,8 +220,36 @@ def _gives_value(chain: Chain) -> bool:
 
 def _is_case(state: JudgingState, chain: Chain) -> bool:
     """Tell whether a relation is said to hold in a case only: for x = 2, suppose x = 2."""
-    before = case_words.clause_before(state.document.text, chain.start)
-    return chain.inline and (state.sections.opens_case(chain) or bool(_SUPPOSED.search(before)))
+    text = state.document.text
+    before = case_words.clause_before(text, chain.start)
+    is_said = state.sections.opens_case(chain) or bool(_SUPPOSED.search(before))
+    return chain.inline and (is_said or _is_titled(text, chain) or _is_bare_case(text, chain, before))
+
+
+def _is_titled(text: str, chain: Chain) -> bool:
+    """Tell whether a relation is one of several cases that are numbered, or the title of a line."""
+    is_labelled = _LABEL_LAST.search(text[max(0, chain.start - REACH) : chain.start]) is not None
+    is_first = not text[text.rfind("\n", 0, chain.start) + 1 : chain.start].strip(" \t$*#-(")
+    return is_labelled or (is_first and _TITLE_BEHIND.match(text, chain.end) is not None)
+
+
+def _is_bare_case(text: str, chain: Chain, before: str) -> bool:
+    """Tell whether a letter is zero without something: without damping, D = 0, the root is 1."""
+    is_zero = isinstance(chain.sides[1].node, Number) and not chain.sides[1].node.value
+    return is_zero and _WITHOUT.search(before) is not None
+
+
+def _is_opposite(text: str, case: Chain, words: str) -> bool:
+    """Tell whether words name the opposite of a case: unequal masses after m_1 = m_2."""
+    left, right = case.sides[0].node, case.sides[1].node
+    if isinstance(left, Name) and isinstance(right, Name):
+        return _UNEQUAL.search(words) is not None
+    if not (isinstance(right, Number) and not right.value):
+        return False
+    without = _WITHOUT.search(case_words.clause_before(text, case.start))
+    named = {match["what"].casefold() for match in _WITH.finditer(words)}
+    is_without = without is not None and without["what"].casefold() in named
+    return is_without or _NOT_ZERO.search(words) is not None
 
 
 def _last_of(cases: list[Chain], text: str) -> list[Chain]:
@@ -226,7 +302,8 @@ def _forget_since(definitions: Definitions, case: Chain, place: int) -> None:
 
     def is_of_case(node: Formula, line: int) -> bool:
         start = node.span[0] or definitions.sections.start_of_line(line + 1) - 1
-        return case.start <= start < place and not names(node) & case.letters
+        is_own = case.start <= start < case.end
+        return case.start <= start < place and (is_own or not names(node) & case.letters)
 
     definitions.cases = [c for c in definitions.cases if not case.start <= c.start < place]
     definitions.premises = [p for p in definitions.premises if not is_of_case(p.right, p.line)]
