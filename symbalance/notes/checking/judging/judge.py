@@ -30,6 +30,7 @@ from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.judging.denied_relations import verdict_on_denied
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
@@ -305,6 +306,8 @@ class Judge:
             return quoted
         verdicts: list[Verdict] = []
         try:
+            if not bindings and (denied := verdict_on_denied(self.state, chain)) is not None:
+                return [denied]
             self._judge(chain, bindings, verdicts)
             self.quotations.note(chain, verdicts)
         except SymbalanceError:
