@@ -11,16 +11,17 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.formula import Call, Formula, Name, Number, Quotient
+from symbalance.document.formula import Call, Formula, Name, Number, Quotient, names
 from symbalance.document.letters import plain_letter, raised
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import Monomial, NoFormError, Polynomial, TooLargeError
-from symbalance.notes.algebra.evaluation import FormEvaluator
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components
 from symbalance.notes.algebra.series import Expansion, FormSeries
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.algebra.zero import is_zero
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
@@ -39,6 +40,10 @@ from symbalance.notes.checking.deciding.rounding import ROUGHLY, agrees_as_print
 
 HIGHEST_ORDER = 40
 """Through which two sides are compared; a series beyond it is left undecided."""
+NOT_SMALL = 0.95
+"""From this on no letter is small."""
+RELATIVE_ERROR = "relative error"
+"""Before the measure of how closely two numbers agree."""
 HIGHEST_NAMED = 26
 """An order beyond it says only that all powers written agree."""
 NO_LETTER = "no letter in which one side is a cut-off series"
@@ -97,7 +102,8 @@ def decide_agreement(
     for level in levels:
         decision = _at_level(left, right, knowledge, level, through, is_loose)
         if decision.is_proved:
-            return decision
+            is_series = _is_of_one_letter(left, right) and decision.order.startswith(RELATIVE_ERROR)
+            return best if is_series and best.status == REFUTED and not is_loose else decision
         best = decision
         if clear is None and _is_clear(decision, knowledge):
             clear = decision
@@ -108,6 +114,14 @@ def decide_agreement(
     if exact.status == REFUTED and (best.reason == NO_LETTER or _are_numbers_apart(exact)):
         best = replace(exact, reason="")
     return clear if clear is not None and best.status == REFUTED and not is_loose else best
+
+
+def _is_of_one_letter(left: Formula, right: Formula) -> bool:
+    """Tell whether both sides are of the same one letter: then a series is meant, and no number.
+
+    √(1 - D²) is about 1 - D²/2; that D = 0.05 puts it near 1 - D too proves nothing.
+    """
+    return len(names(left) | names(right)) == 1 and names(left) == names(right)
 
 
 def _are_numbers_apart(refutation: Decision) -> bool:
@@ -186,8 +200,25 @@ def _with_its_assumption(decision: Decision, small: SmallLetter, knowledge: Know
     usual = knowledge.crank.small[0] if knowledge.crank and knowledge.crank.small else None
     if small.letter == usual or small.letter in knowledge.small:
         return decision
+    if small.sign > 0 and (known := known_not_small(small.letter, knowledge)):
+        return Decision(UNDECIDED, f"it takes {plain_letter(small.letter)} for small: {known}")
     text = formula_text(Name(small.letter), plain=True) + (IS_SMALL if small.sign > 0 else IS_LARGE)
     return replace(decision, assumptions=(*decision.assumptions, text))
+
+
+def known_not_small(letter: str, knowledge: Knowledge) -> str:
+    """Return what the page says of a letter by which it is not small, η = 5 or η > 1; "" for nothing."""
+    definition = knowledge.definitions.get(letter)
+    if definition is not None and definition.numeric:
+        points = sample_trees([definition.node], SymbolValue(), 1)
+        if points and abs(points[0][1][0]) >= NOT_SMALL:
+            return f"{plain_letter(letter)} = {formula_text(definition.node, plain=True)}"
+    for stated in knowledge.ranges:
+        first, last = (stated.left, stated.right) if stated.sign in ">≥≫" else (stated.right, stated.left)
+        is_above = stated.sign in ">≥≫<≤≪" and first == Name(letter) and isinstance(last, Number)
+        if is_above and isinstance(last, Number) and last.value >= 1:
+            return stated.text
+    return ""
 
 
 def _as_numbers(
@@ -213,12 +244,12 @@ def _as_numbers(
         )
         order = "the digits printed"
         if not fits and _is_nearest_part(right, left_value):
-            fits, order = True, f"relative error {digits(relative_error, 2)}"
+            fits, order = True, f"{RELATIVE_ERROR} {digits(relative_error, 2)}"
     else:
         fits = relative_error <= float(ROUGH) and agrees_to_its_digits(
             left, right, (left_value, right_value)
         )
-        order = f"relative error {digits(relative_error, 2)}"
+        order = f"{RELATIVE_ERROR} {digits(relative_error, 2)}"
     if fits:
         return Decision(
             PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second

@@ -48,6 +48,7 @@ from symbalance.notes.checking.deciding.order_agreement import (
     IS_SMALL,
     decide_agreement,
     degree,
+    known_not_small,
 )
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
@@ -138,6 +139,11 @@ def _in_letters(
     others = {name: d for name, d in knowledge.definitions.items() if not d.numeric}
     known = replace(knowledge, definitions={**others, **formulas})
     decision = _decide_as_defined(left, right, sign, known, through)
+    for name in numeric if _rests_on_size(decision) else ():
+        letter = formula_text(Name(name), plain=True)
+        said = known_not_small(name, knowledge) if f"{letter}{IS_SMALL}" in decision.assumptions else ""
+        if said:
+            return Decision(UNDECIDED, f"it takes {letter} for small: {said}")
     return decision if decision.is_proved else None
 
 
