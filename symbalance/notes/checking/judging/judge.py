@@ -97,6 +97,7 @@ from symbalance.notes.checking.steps.conditions_by_values import unless_conditio
 from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
+from symbalance.notes.checking.steps.divided_by_zero import unless_divided_by_zero
 from symbalance.notes.checking.steps.ended_cases import (
     leave_ended_cases,
     letters_of_ended,
@@ -432,6 +433,7 @@ class Judge:
         verdict = unless_plain_sum(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
         verdict = unless_zero_as_printed(self.state, chain, k, verdict)
+        verdict = unless_divided_by_zero(self.state, chain, k, verdict)
         verdict = unless_phases_remain(self.state, chain, k, verdict)
         verdict = unless_of_one_angle(self.state, chain, k, verdict)
         verdict = unless_condition_fails(self.state, chain, k, verdict)
