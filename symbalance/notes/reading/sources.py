@@ -50,6 +50,7 @@ from symbalance.notes.reading.spellings.and_so_on import with_dots
 from symbalance.notes.reading.spellings.cases_in_words import with_conditions_apart
 from symbalance.notes.reading.spellings.division_colons import with_divisions
 from symbalance.notes.reading.spellings.joined_units import with_joined_units
+from symbalance.notes.reading.spellings.limits_by_arrows import with_limits_by_arrows
 from symbalance.notes.reading.spellings.memberships import with_memberships
 from symbalance.notes.reading.spellings.multiples_in_words import with_multiples_in_signs
 from symbalance.notes.reading.spellings.numerals import with_plain_numerals
@@ -174,6 +175,7 @@ def prepare(
         with_multiples_in_signs,
         with_rows_of_relations,
         with_systems,
+        with_limits_by_arrows,
         with_memberships,
         with_function_names,
         with_one_letter_words,

@@ -21,7 +21,8 @@ def verdict_on_denied(state: JudgingState, chain: Chain) -> Verdict | None:
     if len(chain.relations) != 1 or not is_said_wrong(state.document.text, chain.start, chain.end):
         return None
     knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
-    there = decide(*chain.sides, chain.relations[0].sign, knowledge)
+    left, right = chain.sides
+    there = decide(left, right, chain.relations[0].sign, knowledge)
     if there.is_proved and not there.assumptions and not there.order:
         reason = "it is said to be wrong, and it holds"
         return describe(state.document, chain, 0, Decision(REFUTED, reason))
