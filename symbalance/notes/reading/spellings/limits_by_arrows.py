@@ -97,27 +97,14 @@ def with_limits_by_arrows(text: str) -> Rewritten | None:
 
 
 def _where_letters_go(text: str, formulas: list[_Formula]) -> dict[_Formula, re.Match[str]]:
-    """Return the formulas that say where a letter goes, for a claim beside them.
-
-    Of two in one sentence, for $x \\to 0$ we have $y \\to 1$, it is the one that words introduce.
-    """
+    """Return the formulas that say, by the words before them, where a letter goes: for $x \\to 0$."""
     every = {f: match for f in formulas if (match := _GOES.fullmatch(f.text)) is not None}
-    introduced = {f for f in every if _is_introduced(text, f)}
-    return {
-        f: match
-        for f, match in every.items()
-        if f in introduced or not any(_is_beside(text, f, other) for other in introduced)
-    }
+    return {f: match for f, match in every.items() if _is_introduced(text, f)}
 
 
 def _is_introduced(text: str, formula: _Formula) -> bool:
-    words = text[max(0, formula.start - NEAR) : formula.start].rstrip("$ \\([")
-    return _INTRODUCED.search(words) is not None
-
-
-def _is_beside(text: str, formula: _Formula, other: _Formula) -> bool:
-    first, second = sorted((formula, other), key=lambda each: each.start)
-    return not _parts(text, first.end, second.start)
+    words = text[max(0, formula.start - NEAR) : formula.start].rstrip("$ \\[")
+    return words.endswith("(") or _INTRODUCED.search(words) is not None
 
 
 def _claim_of(formula: _Formula) -> _Claim | None:
@@ -140,7 +127,7 @@ def _equation_behind(text: str, formula: _Formula, goes: dict[_Formula, re.Match
     if match is None:
         return None
     before = [f for f in goes if f.end < formula.start and not _parts(text, f.end, formula.start)]
-    if not before or not _is_introduced(text, before[-1]):
+    if not before:
         return None
     above = re.search(rf"(?<![\w\\]){re.escape(match['letter'])}\s*=", text[: before[-1].start])
     if above is None:
