@@ -77,7 +77,7 @@ NOUNLESS = 90
 """The same of words that name no quantity of the letter: "spread over the cycle this gives"."""
 _OF_IT = re.compile(
     r"(?<![^\W\d_])(?:great|larg|high|max|min|peak|least|small|low|half|halb|twice|double|doppel|zwei|three|third|quarter|part|share"
-    r"|differen|amplitud|rest|remain|mean|average|mittl|each|per|both|pair|total|whole|sum|one\s|größ|höchst|klein|scheitel|spitze"
+    r"|differen|amplitud|rest|remain|mean|average|mittl|each|per(?!\s+(?:second|minute))|both|pair|total|whole|sum|one\s|größ|höchst|klein|scheitel|spitze"
     r"|anteil|teil|je|beide|gesamt|summe|moiti|doubl|plus\s|moyen|chaque|part|massim|minim|met[àa]|doppi|medi|ciascun|máxim|mínim|mitad"
     r"|dobl|cada)|最大|最小|半分|二倍|平均|それぞれ|合計|振幅",
     re.IGNORECASE,
@@ -90,6 +90,13 @@ _LETTER_BEHIND = re.compile(
 """A letter right behind the words that name it, which is another one than the formula's."""
 _NUMBER_BEHIND = re.compile(r"(?:\s|of|von|=|:){1,4}[0-9]")
 """A number right behind words: a mean effective pressure of 18 bar is that pressure's."""
+_ASKS = re.compile(
+    r"(?<![^\W\d_])(?:wanted|sought|required|asked(?:\s+for)?|look(?:ing)?\s+for|(?:to|we|let\s+us|now)\s+(?:find|compute|calculate|determine|derive|estimate)"
+    r"|find|compute|calculate|determine|gesucht|gefragt|bestimme[nt]?|berechne[nt]?|ermittel[nt]|cherch(?:e|ons|er)|calcul(?:er|ons)|détermin(?:er|ons)"
+    r"|trovare|calcolare|calcoliamo|determinare|si\s+(?:cerca|vuole|chiede)|calcular|calculamos|determinar|se\s+(?:busca|pide|quiere))(?![^\W\d_])|求め",
+    re.IGNORECASE,
+)
+"""In a sentence that asks for a quantity, which the next one gives."""
 _LEAD = re.compile(r"(?:\*\*|__)?([^.:\n]{3,60}?)(?:\*\*|__)?[.:](?=\s)")
 """The opening words of a paragraph, set off as a title."""
 _ITS = re.compile(r"\b(?:its|whose|their|sein|seine|ihr|dessen|deren)\b|その", re.IGNORECASE)
@@ -282,7 +289,7 @@ class QuantityWords:
         length = len(_NO_LETTER.sub("", before))
         own = [quantity for _, _, quantity in self._phrases.get(before, ()) if stem in quantity.letters]
         is_bare = length <= BARE or (length <= NOUNLESS and not own and not _OF_IT.search(before))
-        lead = self._lead_in(chain) if is_bare else ""
+        lead = (self._lead_in(chain) or self._wanted(chain)) if is_bare else ""
         noun = _last_noun(before)
         for quantity in QUANTITIES:
             if stem not in quantity.letters:
@@ -376,6 +383,14 @@ class QuantityWords:
         )
         match = _LEAD.match(self.glossary.english(above))
         return match[1] if match is not None and is_first else ""
+
+    def _wanted(self, chain: Chain) -> str:
+        """Return the sentence before a relation's if it asks for something: the stress is wanted. So …"""
+        above = self.sections.chain_before(chain.start)
+        first = max(chain.start - PARAGRAPH, 0 if above is None else above.end)
+        sentences = SENTENCE_END.split(bare(self.document.text[first : chain.start]))
+        asked = sentences[-2] if len(sentences) > 1 else ""
+        return self.glossary.english(asked) if _ASKS.search(asked) else ""
 
     def _by_words_around(
         self, chain: Chain, before: str, stem: str, places: Places, sentence: str
