@@ -71,3 +71,8 @@ def test_what_takes_its_place_counts(words):
 )
 def test_other_words_leave_a_relation_alone(page):
     assert all(verdict.reason != "said to be wrong" for verdict in check(page).verdicts)
+
+
+def test_of_numbers_alone_something_else_is_wrong():
+    last = check("Adding the amplitudes would be wrong: $3 + 4 = 7$ N is wrong, as they are at 90°.")
+    assert last.verdicts[-1].verdict == "holds"
