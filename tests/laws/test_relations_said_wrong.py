@@ -76,3 +76,10 @@ def test_other_words_leave_a_relation_alone(page):
 def test_of_numbers_alone_something_else_is_wrong():
     last = check("Adding the amplitudes would be wrong: $3 + 4 = 7$ N is wrong, as they are at 90°.")
     assert last.verdicts[-1].verdict == "holds"
+
+
+def test_what_is_compared_is_claimed():
+    page = "The force is $F = 888$ N instead of\n$P = 3 \\cdot 4 = 13$ N for the bare crank."
+    assert check(page).verdicts[-1].verdict == "refuted"
+    page = "The path is $x = 8$ mm instead of $y = 9$ mm. Now $y/3 = 3$ mm."
+    assert check(page).verdicts[-1].verdict in PROVED

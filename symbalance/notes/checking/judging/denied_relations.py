@@ -19,7 +19,8 @@ def verdict_on_denied(state: JudgingState, chain: Chain) -> Verdict | None:
     One that holds without any assumption is refuted: the words about it are false. Of numbers alone they
     call what it is put to wrong, 1775 + 1834 = 3609 N for forces at right angles, and not the sum.
     """
-    if len(chain.relations) != 1 or not chain.letters or not is_said_wrong(state.document.text, chain.start, chain.end):
+    text, is_one = state.document.text, len(chain.relations) == 1 and bool(chain.letters)
+    if not is_one or not is_said_wrong(text, chain.start, chain.end):
         return None
     knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
     left, right = chain.sides

@@ -17,15 +17,15 @@ _BEFORE = re.compile(
     rf"(?:false|wrong|incorrect|not\s+(?:true|correct|right|the\s+case)|a\s+mistake|falsch|unrichtig|nicht\s+(?:wahr|richtig)|faux|incorrect"
     rf"|falso|sbagliato|errato|incorrecto|erróneo)\s*,?\s*{_THAT}"
     r"|(?:do|does|must|should|may|can|we|you)\s?n[o']t\s+(?:write|use|set|put|take|have)"
-    r"|instead\s+of|(?:an)?statt|anstelle\s+von|au\s+lieu\s+de|invece\s+di|in\s+luogo\s+di|en\s+(?:lugar|vez)\s+de"
     r"|(?:one|you)\s+(?:might|may|could|would)\s+(?:think|expect|believe|guess|be\s+tempted\s+to\s+write)(?:\s+that)?"
     r"|man\s+(?:könnte|möchte|würde)\s+(?:meinen|glauben|denken|erwarten)\s*,?\s*(?:dass)?"
     r"|on\s+pourrait\s+(?:croire|penser)\s+que|si\s+potrebbe\s+(?:credere|pensare)\s+che"
     r"|I\s+(?:first|had\s+first|originally|initially|wrongly)\s+(?:wrote|had|written|thought|took|assumed|used)"
-    r")[\s$:\\({[]*$",
+    r")[\s$:\\({[]*$"
+    r"|(?:\A|[.;:!?。]\s|\n)\s*(?:instead\s+of|(?:an)?statt|anstelle\s+von|au\s+lieu\s+de|invece\s+di|in\s+luogo\s+di|en\s+(?:lugar|vez)\s+de)[\s$:\\({[]*$",
     re.IGNORECASE,
 )
-"""Before a relation that is not claimed."""
+"""Before a relation that is not claimed. 888 N instead of 3609 N compares two that are."""
 _WRONG = (
     r"(?:wrong|false|incorrect|erroneous|nonsense|not\s+(?:true|correct|right)|(?:a|an)\s+(?:common\s+)?(?:mistake|misprint|slip|typo|error|blunder)"
     r"|falsch|unrichtig|nicht\s+(?:richtig|wahr)|ein\s+(?:häufiger\s+)?(?:fehler|irrtum|druckfehler|tippfehler)"
