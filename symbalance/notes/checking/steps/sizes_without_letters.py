@@ -16,7 +16,7 @@ from math import isclose
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, names, walk
 from symbalance.notes.algebra.letters_behind import names_behind
-from symbalance.notes.checking.deciding.cases import GIVE_IT, NUMBERS_PUT_IN
+from symbalance.notes.checking.deciding.cases import FIXES, GIVE_IT, NUMBERS_PUT_IN
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
@@ -51,7 +51,7 @@ _ROUGHLY = 0.02
 """By how much a result may be rounded, beyond its digits."""
 _TWO = Fraction(1), Fraction(3)
 """Numbers for the letters left open: what a formula comes to by a product alone is the same with both."""
-_OPEN = (NUMBERS_PUT_IN, "it fixes ")
+_OPEN = (NUMBERS_PUT_IN, FIXES)
 
 
 def with_sizes_in_words(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
