@@ -30,6 +30,7 @@ from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.judging.by_own_words import unless_of_other_words
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
@@ -451,6 +452,7 @@ class Judge:
         verdict = unless_wrong_in_list(self.state, chain, k, verdict)
         verdict = unless_no_forced_motion(self.state, chain, k, verdict)
         verdict = unless_another_polynomial(self.state, chain, k, verdict)
+        verdict = unless_of_other_words(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
 
     def _with_sizes(self, chain: Chain, k: int) -> Verdict:

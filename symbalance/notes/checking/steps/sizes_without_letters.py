@@ -34,7 +34,7 @@ from symbalance.notes.checking.words.sections import LONGEST_SENTENCE
 from symbalance.notes.checking.words.sizes_of_page import SizeOfPage, is_called, sizes_of_page
 from symbalance.notes.reading.equations import Chain
 
-_LETTERS = {
+LETTERS = {
     "bore": ("D", "d", "B", "b"),
     "stroke": ("s", "S", "H", "h", "L"),
     "crank radius": ("r", "R"),
@@ -136,13 +136,13 @@ def _sizes(
     here = _here(state, chain)
     for name in sorted(free):
         meaning = knowledge.meanings.get(name, "")
-        usual = [role for role in here if name in _LETTERS[role] and not meaning]
+        usual = [role for role in here if name in LETTERS[role] and not meaning]
         roles = usual or [r for r in here if role_of(meaning) == r or is_called(r, meaning)]
         stroke = here.get("stroke")
         if roles:
             size = here[roles[0]]
             yield name, (size.number, f"{plain_text(Name(name))} the {roles[0]} (“{size.text}”)")
-        elif name in _LETTERS["crank radius"] and stroke is not None:
+        elif name in LETTERS["crank radius"] and stroke is not None:
             half = Number(stroke.number.value / 2)
             yield name, (half, f"{plain_text(Name(name))} half the stroke (“{stroke.text}”)")
         elif (speed := _speed(state, chain, name, knowledge)) is not None:
