@@ -58,6 +58,8 @@ HIGHEST_ORDER = 8
 MANY_WAVES = 3
 """Waves of a sum that is said to vanish for all angles; two may be an equation to be solved."""
 UNITS_LEFT_OUT = "the numbers are in units that are left out"
+FIXES = "it fixes "
+"""How the reason begins of a relation that gives a letter its value."""
 NUMBERS_PUT_IN = "numbers put in"
 GIVE_IT = "here: give what is put in"
 NO_VALUES = "no values satisfy it, as far as tried"
@@ -218,7 +220,7 @@ def _decide_put_in(left: Formula, right: Formula, refutation: Decision, knowledg
     is_rate = any("/d" in name for name in missing)  # it may have its number from a line above
     if pairs is None and is_one and not is_rate:
         by_turns = _by_turns(left, right, missing[0], knowledge)
-        return by_turns or Decision(PREMISE, f"it fixes {texts}, which {have} above")
+        return by_turns or Decision(PREMISE, f"{FIXES}{texts}, which {have} above")
     if pairs is None:
         return replace(refutation, status=UNDECIDED, reason=f"{texts} {have} {GIVE_IT}")
     if (other := _other_constant(left, right, knowledge)) is not None:

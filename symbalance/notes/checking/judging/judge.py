@@ -30,6 +30,7 @@ from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.judging.by_own_words import unless_of_other_words
 from symbalance.notes.checking.judging.denied_relations import verdict_on_denied
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
@@ -413,7 +414,8 @@ class Judge:
         verdict = with_size_said(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
         again = partial(self._link_in_scope, chain, k, k, bad=False)
         verdict = by_own_numbers(self.state, chain, k, verdict, again)
-        verdict = by_numbers_spoken_of(self.state, chain, k, verdict, again)
+        with_sizes = partial(self._with_sizes, chain, k)
+        verdict = by_numbers_spoken_of(self.state, chain, k, verdict, with_sizes)
         verdict = unless_repeated(self.state, chain, k, verdict, again)
         verdict = self._unless_excepted(chain, k, verdict)
         verdict = self._as_one_of_listed(chain, k, verdict)
@@ -428,7 +430,9 @@ class Judge:
         verdict = unless_wrong_at_place(self.state, chain, k, verdict)
         verdict = unless_scaled_wrongly(self.state, chain, k, verdict)
         verdict = unless_a_formula_gives_it(self.state, chain, k, verdict)
-        verdict = with_sizes_in_words(self.state, chain, k, verdict)
+        before, verdict = verdict, with_sizes_in_words(self.state, chain, k, verdict)
+        if verdict is not before:
+            verdict = by_numbers_spoken_of(self.state, chain, k, verdict, with_sizes)
         verdict = at_crank_angle_in_words(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
@@ -453,7 +457,12 @@ class Judge:
         verdict = unless_wrong_in_list(self.state, chain, k, verdict)
         verdict = unless_no_forced_motion(self.state, chain, k, verdict)
         verdict = unless_another_polynomial(self.state, chain, k, verdict)
+        verdict = unless_of_other_words(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
+
+    def _with_sizes(self, chain: Chain, k: int) -> Verdict:
+        """Return the verdict on a relation by what is in scope and the sizes in the page's words."""
+        return with_sizes_in_words(self.state, chain, k, self._link_in_scope(chain, k, k, bad=False))
 
     def _with_rate_assumed(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict that names the steady turning which it rests on and no line states."""

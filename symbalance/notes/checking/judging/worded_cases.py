@@ -12,6 +12,7 @@ from itertools import islice
 
 from symbalance.document.formula import Name, names
 from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.checking.deciding.cases import FIXES, NUMBERS_PUT_IN
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition
@@ -20,6 +21,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONTRADICTION,
+    PREMISE,
     PROVED_WORDS,
     REFUTED,
     UNDECIDED,
@@ -39,7 +41,8 @@ def by_numbers_spoken_of(
 ) -> Verdict:
     """Return a verdict that rests on the numbers which the words before a relation are about."""
     judged = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION)
-    if verdict.verdict not in judged or sets_number(chain):
+    is_put_in = verdict.verdict == PREMISE and verdict.reason.startswith((NUMBERS_PUT_IN, FIXES))
+    if (verdict.verdict not in judged and not is_put_in) or sets_number(chain):
         return verdict
     several = _several_numbers(state, chain, k)
     text, sections = state.document.text, state.sections
@@ -61,9 +64,13 @@ def by_numbers_spoken_of(
                 return describe(state.document, chain, k, Decision(UNDECIDED, reason))
     if not spoken:
         return verdict
+    premises, moments = state.definitions.premises, state.definitions.open_conditions
+    if is_put_in:
+        state.definitions.forget_moment(chain.sides[k + 1].node)  # it would prove itself
     there = _with(state, spoken, again)
     if there.verdict in PROVED_WORDS:
         return there
+    state.definitions.premises, state.definitions.open_conditions = premises, moments
     if verdict.verdict not in PROVED_WORDS:
         return verdict
     reason = f"its words speak of {_shown(spoken)}, and with that it does not hold"

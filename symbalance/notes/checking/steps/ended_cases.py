@@ -302,7 +302,7 @@ def _forget_since(definitions: Definitions, case: Chain, place: int) -> None:
 
     def is_of_case(node: Formula, line: int) -> bool:
         start = node.span[0] or definitions.sections.start_of_line(line + 1) - 1
-        is_own = case.start <= start < case.end
+        is_own = case.start <= start < case.end  # m_1 = m_2 itself
         return case.start <= start < place and (is_own or not names(node) & case.letters)
 
     definitions.cases = [c for c in definitions.cases if not case.start <= c.start < place]

@@ -114,7 +114,7 @@ REACH = 240
 
 
 @dataclass(frozen=True)
-class _Change:
+class Change:
     """What words change: the kind of quantity or its letter, by which factor, and in which words."""
 
     kind: str
@@ -131,7 +131,7 @@ class _Base:
     letter: str
     ratio: float
     rounding: float
-    change: _Change | None = None
+    change: Change | None = None
     """What changes by the indices of both: F_3000 = F_6000/4."""
 
 
@@ -161,7 +161,7 @@ def _letter_of(node: Formula) -> str | None:
     return node.name if isinstance(node, Name) else None
 
 
-def _words_before(state: JudgingState, chain: Chain) -> tuple[str, list[_Change]]:
+def _words_before(state: JudgingState, chain: Chain) -> tuple[str, list[Change]]:
     """Return what words change, with the words: those since the relation before, or the whole sentence
     where these change nothing.
     """
@@ -169,13 +169,13 @@ def _words_before(state: JudgingState, chain: Chain) -> tuple[str, list[_Change]
     sentence = SENTENCE_END.split(text[max(0, chain.start - REACH) : chain.start])[-1]
     last = state.sections.end_before(chain.start) or 0
     near = sentence[max(0, len(sentence) - (chain.start - last)) :]
-    changes = _changes_in(near)
+    changes = changes_in(near)
     if changes or near == sentence or SPEED.search(near):
         return near, changes
-    return sentence, _changes_in(sentence)
+    return sentence, changes_in(sentence)
 
 
-def _changes_in(words: str) -> list[_Change]:
+def changes_in(words: str) -> list[Change]:
     """Return what words change: half the speed, with three times the inertia, J verdoppelt."""
     if _OTHER.search(words):
         return []
@@ -197,8 +197,15 @@ def _changes_in(words: str) -> list[_Change]:
         is_twice = float(Fraction(factor)) == _TWICE
         if kind == "speed" and _OTHER_TURNING.search(words if is_twice else _ORDER.sub(" ", words)):
             continue
-        changes.append(_Change(kind, letter, float(Fraction(factor)), match[0]))
+        changes.append(Change(kind, letter, float(Fraction(factor)), match[0]))
     return changes
+
+
+def is_of_kind(state: JudgingState, name: str, kind: str) -> bool:
+    """Tell whether a letter is usually one of a kind of quantities: ω a speed, m a mass."""
+    if kind == "speed":
+        return is_speed(state, name)
+    return name.partition("_")[0] in _LETTERS.get(kind, "").split()
 
 
 def _speed_in(words: str) -> re.Match[str] | None:
@@ -208,7 +215,7 @@ def _speed_in(words: str) -> re.Match[str] | None:
     return speeds[0] if len(speeds) == 1 and not is_other else None
 
 
-def _changes_of_speed(state: JudgingState, base: _Base, speed: re.Match[str] | None) -> Iterator[_Change]:
+def _changes_of_speed(state: JudgingState, base: _Base, speed: re.Match[str] | None) -> Iterator[Change]:
     """Yield the changes from the speeds that a value may be given at: named before or right behind it."""
     text, chain = state.document.text, base.chain
     if base.change is not None:
@@ -221,7 +228,7 @@ def _changes_of_speed(state: JudgingState, base: _Base, speed: re.Match[str] | N
     for other in named:
         first, second = speed_of(other), speed_of(speed)
         if first and second and first != second:
-            yield _Change("speed", "", second / first, f"{speed[0]} after {other[0]}")
+            yield Change("speed", "", second / first, f"{speed[0]} after {other[0]}")
 
 
 def _repeats_a_slip(state: JudgingState, chain: Chain, head: str) -> bool:
@@ -275,14 +282,14 @@ def _bases(state: JudgingState, chain: Chain, head: str, value: Formula) -> Iter
         yield _Base(last, owner, float(once), _NOISE, _change_of_index(state, head, letter))
 
 
-def _change_of_index(state: JudgingState, head: str, letter: str) -> _Change | None:
+def _change_of_index(state: JudgingState, head: str, letter: str) -> Change | None:
     """Return the change from one speed to another that stand as indices; None for other indices."""
     own, other = (_SPEED_INDEX.search(name) for name in (head, letter))
     if own is None or other is None:
         return None
     now, before = (int(match[1] or match[2]) for match in (own, other))
     is_of_speeds = {now, before} <= state.speeds
-    return _Change("speed", "", now / before, f"{now} after {before}") if is_of_speeds else None
+    return Change("speed", "", now / before, f"{now} after {before}") if is_of_speeds else None
 
 
 def _without_index(name: str) -> str:
@@ -311,7 +318,7 @@ def _may_be_unit(number: Number) -> bool:
     return (number.last_place is None and digits == {"1"}) or not number.value
 
 
-def _decide(state: JudgingState, chain: Chain, base: _Base, change: _Change) -> Decision | None:
+def _decide(state: JudgingState, chain: Chain, base: _Base, change: Change) -> Decision | None:
     """Return whether a value goes with the power of the change that its letter's formula has."""
     powers = _powers(state, chain, base.letter, change) or _powers_in_words(state, chain, base, change)
     if not powers and any(_is_near(base.ratio, change.factor**n, base.rounding + _NOISE) for n in _USUAL):
@@ -334,7 +341,7 @@ def _decide(state: JudgingState, chain: Chain, base: _Base, change: _Change) -> 
     )
 
 
-def _powers_in_words(state: JudgingState, chain: Chain, base: _Base, change: _Change) -> list[Fraction]:
+def _powers_in_words(state: JudgingState, chain: Chain, base: _Base, change: Change) -> list[Fraction]:
     """Return the second power where the words around a value say that it goes with the speed squared."""
     text, first, last = state.document.text, base.chain, chain.start
     start = max(0, first.start - _RIGHT_BEHIND)
@@ -352,7 +359,7 @@ def _is_near(first: float, second: float, near: float) -> bool:
     return abs(first - second) <= near * abs(second)
 
 
-def _powers(state: JudgingState, chain: Chain, letter: str, change: _Change) -> list[Fraction]:
+def _powers(state: JudgingState, chain: Chain, letter: str, change: Change) -> list[Fraction]:
     """Return by which powers a letter may go with what is changed, by its formulas; none if unknown.
 
     Through λ = r/l a force goes with r² in all, and by its own formula with r alone. An equation that is
@@ -388,7 +395,7 @@ def _difference(first: Fraction | None, second: Fraction | None) -> Fraction | N
 
 
 def _letters_changed(
-    state: JudgingState, above: list[Chain], owner: str, change: _Change
+    state: JudgingState, above: list[Chain], owner: str, change: Change
 ) -> frozenset[str]:
     """Return the letter behind a letter's equations that words change, where it is one alone.
 

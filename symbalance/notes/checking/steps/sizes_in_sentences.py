@@ -24,6 +24,7 @@ from symbalance.notes.checking.units.dimensions import Dimension, Dimensions, un
 from symbalance.notes.checking.units.own_units import is_angular_speed, is_per_minute_number
 from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.checking.verdicts import PROVED_WORDS, REFUTED, Verdict
+from symbalance.notes.checking.words.labels_of_cases import without_comparisons
 from symbalance.notes.checking.words.sizes_said import SizeSaid, size_said, sizes_in_words
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.notes.reading.units import scale_of
@@ -32,6 +33,8 @@ MOST_SIZES = 4
 """Sizes of a paragraph that are tried, the last ones."""
 PER_MINUTE = (Fraction(1, 30), True)
 """What scale_of says of a revolution per minute."""
+EXACT, ROUNDED = 1e-9, 0.01
+"""By how much two numbers of one size differ: 3000 rpm are 314 1/s as a page rounds them."""
 _SPEEDS = ("speed", "velocity", "revolutions", "vitesse", "velocità", "velocidad", "drehzahl")
 
 
@@ -42,7 +45,7 @@ def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
     first = state.sections.end_before(chain.start) or 0
     sentence = state.sections.sentence_before(chain)
     words = state.document.text[max(first, chain.start - len(sentence)) : chain.start]
-    said = size_said(words.rstrip(" $\\(["), state.document.text)
+    said = size_said(without_comparisons(words).rstrip(" $\\(["), state.document.text)
     left = next((side for side in reversed(chain.sides[: k + 1]) if names(side.node)), None)
     is_wrong = verdict.verdict == REFUTED
     by_paragraph = _by_sizes_of_paragraph(state, chain, k, left) if left and is_wrong else None
@@ -50,13 +53,16 @@ def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
         return by_paragraph or verdict
     knowledge = state.knowledge(chain.lines[0])
     values = {name: d.node for name, d in knowledge.definitions.items()}
-    others = _letters_of(said, {*names_behind(left.node, values)}, state, knowledge)
+    others = letters_of_size(said, {*names_behind(left.node, values)}, state, knowledge)
     for name, number in others.items():
-        there = decide(left, chain.sides[k + 1], chain.relations[k].sign, _known(name, number, knowledge))
+        there = decide(
+            left, chain.sides[k + 1], chain.relations[k].sign, with_size(name, number, knowledge)
+        )
         if there.is_proved:
             is_held = verdict.verdict in PROVED_WORDS
             return verdict if is_held else _held(state, chain, k, there, said, name, number)
-    is_again = any(_is_same(n, values[name], knowledge) for name, n in others.items())
+    nearly = ROUNDED if scale_of(said.unit) == PER_MINUTE else EXACT
+    is_again = any(_is_same(n, values[name], nearly, knowledge) for name, n in others.items())
     is_open = bool(others) and not is_again and (not said.is_named or _is_repeated(state, chain, k))
     if verdict.verdict == REFUTED or not is_open:
         return verdict
@@ -79,8 +85,8 @@ def _by_sizes_of_paragraph(state: JudgingState, chain: Chain, k: int, left: Side
     behind = {*names_behind(left.node, {name: d.node for name, d in knowledge.definitions.items()})}
     sign = chain.relations[k].sign
     for said in sizes_in_words(words)[:MOST_SIZES]:
-        for name, number in _letters_of(said, behind, state, knowledge).items():
-            there = decide(left, chain.sides[k + 1], sign, _known(name, number, knowledge))
+        for name, number in letters_of_size(said, behind, state, knowledge).items():
+            there = decide(left, chain.sides[k + 1], sign, with_size(name, number, knowledge))
             if there.is_proved:
                 return _held(state, chain, k, there, said, name, number)
     return None
@@ -95,7 +101,7 @@ def _held(
     return describe(state.document, chain, k, held)
 
 
-def _known(name: str, number: Formula, knowledge: Knowledge) -> Knowledge:
+def with_size(name: str, number: Formula, knowledge: Knowledge) -> Knowledge:
     """Return what is known where a letter has another number; results printed for the old one go."""
     definitions = {
         n: replace(d, rounded=None, node=d.node if d.formula is None or not d.numeric else d.formula)
@@ -112,7 +118,7 @@ def _is_repeated(state: JudgingState, chain: Chain, k: int) -> bool:
     return any(chain.sides[k + 1].node in [side.node for side in c.sides[1:]] for c in above)
 
 
-def _letters_of(
+def letters_of_size(
     said: SizeSaid, behind: set[str], state: JudgingState, knowledge: Knowledge
 ) -> dict[str, Formula]:
     """Return the letters of the kind of a size that have a number above, with what the size says."""
@@ -162,6 +168,6 @@ def _number(
     return Number(said.number * (factor / 2 if of_turns else factor))
 
 
-def _is_same(first: Formula, second: Formula, knowledge: Knowledge) -> bool:
+def _is_same(first: Formula, second: Formula, nearly: float, knowledge: Knowledge) -> bool:
     sizes = [number_of(node, knowledge) for node in (first, second)]
-    return None not in sizes and isclose(*map(float, sizes), rel_tol=1e-9)
+    return None not in sizes and isclose(*map(float, sizes), rel_tol=nearly)

@@ -16,7 +16,7 @@ from math import isclose
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, Quotient, names, walk
 from symbalance.notes.algebra.letters_behind import names_behind
-from symbalance.notes.checking.deciding.cases import GIVE_IT, NUMBERS_PUT_IN
+from symbalance.notes.checking.deciding.cases import FIXES, GIVE_IT, NUMBERS_PUT_IN
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
@@ -34,7 +34,7 @@ from symbalance.notes.checking.words.sections import LONGEST_SENTENCE
 from symbalance.notes.checking.words.sizes_of_page import SizeOfPage, is_called, sizes_of_page
 from symbalance.notes.reading.equations import Chain
 
-_LETTERS = {
+LETTERS = {
     "bore": ("D", "d", "B", "b"),
     "stroke": ("s", "S", "H", "h", "L"),
     "crank radius": ("r", "R"),
@@ -51,7 +51,7 @@ _ROUGHLY = 0.02
 """By how much a result may be rounded, beyond its digits."""
 _TWO = Fraction(1), Fraction(3)
 """Numbers for the letters left open: what a formula comes to by a product alone is the same with both."""
-_OPEN = (NUMBERS_PUT_IN, "it fixes ")
+_OPEN = (NUMBERS_PUT_IN, FIXES)
 
 
 def with_sizes_in_words(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -136,13 +136,13 @@ def _sizes(
     here = _here(state, chain)
     for name in sorted(free):
         meaning = knowledge.meanings.get(name, "")
-        usual = [role for role in here if name in _LETTERS[role] and not meaning]
+        usual = [role for role in here if name in LETTERS[role] and not meaning]
         roles = usual or [r for r in here if role_of(meaning) == r or is_called(r, meaning)]
         stroke = here.get("stroke")
         if roles:
             size = here[roles[0]]
             yield name, (size.number, f"{plain_text(Name(name))} the {roles[0]} (“{size.text}”)")
-        elif name in _LETTERS["crank radius"] and stroke is not None:
+        elif name in LETTERS["crank radius"] and stroke is not None:
             half = Number(stroke.number.value / 2)
             yield name, (half, f"{plain_text(Name(name))} half the stroke (“{stroke.text}”)")
         elif (speed := _speed(state, chain, name, knowledge)) is not None:

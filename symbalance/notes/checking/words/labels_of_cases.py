@@ -40,6 +40,11 @@ COMPARED = (
     r"|rispetto\s+a|compar[ée]+e?\s+[àa]u?|against|versus|vs\.?|instead\s+of|not|from|als|gegenüber|statt|anders\s+als|que|contre)\s+"
 )
 """Words before what something is only compared with."""
+_COMPARISON = re.compile(
+    rf"(?<![^\W\d_])(?:{COMPARED}|(?:that|those|dem|denen|der|jene[rnms]?|celle|celui|quella|quello)\s+(?:at|of|bei|von|à|de|di|a)\s)"
+    r"[^,.:;!?。、=]*",
+    re.IGNORECASE,
+)
 _BESIDE = re.compile(
     rf"{COMPARED}(?:(?:for|of|in|bei|für|von|pour|de)\s+)?(?:the\s+|der\s+|dem\s+|le\s+)?$",
     re.IGNORECASE,
@@ -48,6 +53,15 @@ _BESIDE = re.compile(
 _SENTENCE_END = re.compile(r"[.!?](?=\s|$)|。")
 _NEAR = 40
 """Characters before a label in which the words stand that only compare with it."""
+
+
+def without_comparisons(words: str) -> str:
+    """Return words with blanks for what something is only compared with.
+
+    >>> without_comparisons("less than at 6000 rpm, it is").split()
+    ['less', ',', 'it', 'is']
+    """
+    return _COMPARISON.sub(lambda match: " " * len(match[0]), words)
 
 
 class LabelsOfCases:

@@ -126,3 +126,22 @@ def dead_centre_named(words: str) -> bool | None:
         if not _FROM.search(words, max(match.start() - 16, 0), match.start())
     ]
     return None if not matches else bool((matches[-1].lastgroup or "").endswith("bottom"))
+
+
+_OTHER_TOP = (
+    r"point\s+mort\s+haut|punto\s+(?:morto|muerto)\s+superiore?|(?<![A-Za-z])(?:PMH|PMS)(?![A-Za-z])"
+)
+_OTHER_BOTTOM = (
+    r"point\s+mort\s+bas|punto\s+(?:morto|muerto)\s+inferiore?|(?<![A-Za-z])(?:PMB|PMI)(?![A-Za-z])"
+)
+_TOPS = re.compile(rf"(?i:{_TOP}|{_OTHER_TOP})|{_SHORT_TOP}")
+_BOTTOMS = re.compile(rf"(?i:{_BOTTOM}|{_OTHER_BOTTOM})|{_SHORT_BOTTOM}")
+
+
+def with_dead_centres(words: str) -> str:
+    """Return words in which a dead centre has one name, whatever the page calls it.
+
+    >>> with_dead_centres("at BDC, im oberen Totpunkt")
+    'at bottom, im top'
+    """
+    return _BOTTOMS.sub("bottom", _TOPS.sub("top", words))

@@ -1,7 +1,8 @@
 """Which of several numbers of a letter the words before a relation speak of: at idle, the small one, (a).
 
 The words before each number that those before the others lack are its own: "at idle ω = 80, at full speed
-ω = 600". A later sentence with own words of one number, and none of the others, speaks of that one.
+ω = 600". So are words right behind it: "F = 3600 N at 3000 rpm and F = 14400 N at 6000 rpm". A later
+sentence with own words of one number, and none of the others, speaks of that one.
 """
 
 from __future__ import annotations
@@ -9,11 +10,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbalance.notes.checking.words.labels_of_cases import COMPARED
+from symbalance.notes.checking.words.places_in_words import with_dead_centres
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
+_SIZE = (
+    r"(?<![\w.,])[0-9]+(?:[.,][0-9]+)?(?=(?:[\s~$}]|\\[,;: ]|\\(?:mathrm|text|textrm)\s*\{){0,4}"
+    r"(?:rpm|r\.\s?p\.\s?m|(?:[U1r]|tr|revs?|tours|giri)?\s?(?:/|per|pro|par|al)\s?min|min\s*\^?\s?\{?\s?[-−]\s?1|min⁻¹|回転"
+    r"|°|\^\s?\{?\s?\\circ|度|Grad|degrees?|rad/s|1/s|s⁻¹|Hz|km/h|m/s|mm|cm|kg|bar|kW|%))"
+)
+"""A number before a unit, which tells a case from another: at 3000 rpm."""
 _TOKEN = re.compile(
+    rf"{_SIZE}|"
     r"(?<![\w\\])[^\W\d_\u3040-\u9fff]{2,}|(?<![\w\\])[A-Z](?!\w)|\([a-h1-9]\)"
     r"|(?<=[^\W\d_] )[1-9](?=\s*(?:[:：()$]|$|\.\s|(?:has|have|is|hat|ist|we|gives?|a|est)\s))"
     r"|(?<![\w.])[1-9](?=[.)]\s)|[\u30a0-\u30ff\u4e00-\u9fff]+"
@@ -23,12 +32,19 @@ _LITTLE = re.compile(
     r"|there|so|hence|here|this|that|these|those|with|for|at|in|on|from|into|when|if|now\s|let|take|now|also|again|one|ones|about|our"
     r"|der|die|das|den|dem|des|eine?[nmrs]?|und|oder|mit|bei|beim|im|in|am|an|für|von|vom|zu|ist|sind|war|hat|haben|wird|also|man|er|sie|es"
     r"|gilt|so|dann|daher|somit|auch|sich|nun|le|la|les|l|un|une|du|de|des|d|et|ou|a|est|on|il|elle|pour|avec|dans|à|au|aux|en|sur|donc"
-    r"|crank\w*|radius|radii|rods?|pistons?|strokes?|engines?|motors?|machines?|bores?|cylinders?|mass|force|forces|lengths?|speeds?"
-    r"|values?|angles?|numbers?|diameters?|kurbel\w*|pleuel\w*|kolben\w*|hub|motor(?:en|s)?|masse|kraft|länge|drehzahl|winkel|zahl|wert"
+    r"|cranks?|crankshafts?|radius|radii|rods?|pistons?|strokes?|engines?|motors?|machines?|bores?|cylinders?|mass|force|forces|lengths?|speeds?"
+    r"|values?|angles?|numbers?|diameters?|kurbel(?:n|wellen?|radius|winkel)?|pleuel\w*|kolben\w*|hub|motor(?:en|s)?|masse|kraft|länge|drehzahl|winkel|zahl|wert"
     r"|moteurs?|manivelles?|bielles?|rayon|course|valeur|vitesse|半径|値|場合|機関|質量|力|角|長)",
     re.IGNORECASE,
 )
 """Words that tell no case from another: little ones, and those of any engine."""
+_BEHIND = re.compile(
+    r"[\s$)\]}~]*(?:\((?P<aside>[^()$=\n]{2,40})\)"
+    r"|(?P<words>(?:at|for|in|on|with|when|bei|beim|im|für|am|mit|à|au|pour|en|avec|per|con|para|al|alla|a(?=\s[0-9]))\s(?:[^.,;:!?。、=$()\n]|\n(?!\s*\n)|[.,](?=[0-9])){2,60}?)"
+    r"(?=\s+(?:and|und|but|aber|et|mais|e|ma|y|pero)\s|[.,;:!?。、)]|\s*(?:\n\s*\n|$)))",
+    re.IGNORECASE,
+)
+"""Words right behind a number that say of what it is: at 3000 rpm, (TDC)."""
 _ENDING = re.compile(r"(?<=[^\W\d_]{3})(?:en|em|er|es|e|s|n)$")
 _ORDINAL = re.compile(
     r"(?<![^\W\d_])(?:the|der|die|das|dem|den|beim|im|le|la|du|il|el)\s+(?:(?P<first>first|former|erste[nrs]?|premi[eè]re?|primo|primera?|original)"
@@ -64,7 +80,7 @@ def number_spoken_of(
     for k, sentence in enumerate(reversed(_sentences(sections, text, first, chain))):
         if not k and _BOTH.search(sentence):
             return ALL
-        words = _tokens(_COMPARISON.sub(" ", sentence))
+        words = _tokens(with_dead_centres(_COMPARISON.sub(" ", sentence)))
         named = {n for n, each in enumerate(own) if each & words}
         if named:
             return None if len(named) > 1 else named.pop()
@@ -89,15 +105,21 @@ def _lead_of(sections: Sections, text: str, giver: Chain) -> frozenset[str]:
     """Return the words that a number is given with: those of its clause, and of its heading."""
     before, stop = sections.chain_before(giver.start), giver.start
     start = max(0, stop - REACH)
-    words = frozenset[str]()
-    while not words and stop > start:
-        first = max(start, before.end if before is not None else 0)
-        words = _tokens(_SENTENCE.split(text[first:stop])[-1])
-        if before is None or _SENTENCE.search(text, before.end, stop) or before.start >= stop:
+    words = behind = _tokens(with_dead_centres(_words_behind(text, giver)))
+    while (not words or words == behind) and stop > start:
+        first = before.end + len(_words_behind(text, before)) if before is not None else 0
+        words = _tokens(with_dead_centres(_SENTENCE.split(text[max(start, first) : stop])[-1])) | behind
+        if before is None or _SENTENCE.search(text, before.end, stop) or before.start >= stop or behind:
             break
         stop = before.start
         before = sections.chain_before(stop)
     return words | _tokens(sections.heading_above(giver.lines[0]))
+
+
+def _words_behind(text: str, giver: Chain) -> str:
+    """Return the words right behind a number that say of what it is, with what stands before them."""
+    match = _BEHIND.match(text, giver.end)
+    return match[0] if match is not None else ""
 
 
 def _tokens(words: str) -> frozenset[str]:
