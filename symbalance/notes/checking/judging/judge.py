@@ -33,6 +33,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
+from symbalance.notes.checking.judging.numbers_in_sentences import by_numbers_in_sentence
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
@@ -195,6 +196,8 @@ from symbalance.notes.checking.words.case_words import (
     leads_to_claim,
     speaks_of_every,
 )
+from symbalance.notes.checking.words.columns_as_binomials import with_columns
+from symbalance.notes.checking.words.means_under_bars import with_means_under_bars
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
@@ -219,6 +222,7 @@ class Judge:
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
+        self.document = with_columns(with_means_under_bars(self.document))
         self.document = with_own_functions(self.document, self.declarations.symbols)
         text = self.document.text
         shown = with_raised_points_lowered(with_units_shown(text))
@@ -410,6 +414,7 @@ class Judge:
         again = partial(self._link_in_scope, chain, k, k, bad=False)
         verdict = by_own_numbers(self.state, chain, k, verdict, again)
         verdict = by_numbers_spoken_of(self.state, chain, k, verdict, again)
+        verdict = by_numbers_in_sentence(self.state, chain, k, verdict, again)
         verdict = unless_repeated(self.state, chain, k, verdict, again)
         verdict = self._unless_excepted(chain, k, verdict)
         verdict = self._as_one_of_listed(chain, k, verdict)

@@ -240,6 +240,12 @@ def number_in_cell(text: str, has_commas: bool) -> tuple[Number, str] | None:
     return None if match is None or number is None else (number, match["unit"] or "")
 
 
+def quantity_typed(text: str, span: Span, *, has_commas: bool) -> Formula | None:
+    """Return a number with its unit as it is typed in a sentence, None for anything else."""
+    read = number_in_cell(text, has_commas)
+    return None if read is None else _with_unit(*read, span)
+
+
 def bare_cell(text: str) -> str:
     """Return a cell without markup."""
     text = _STEM.sub(r"\1\2", _SUBSCRIPT.sub(r"_{\1}", text))

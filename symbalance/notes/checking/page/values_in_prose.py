@@ -52,8 +52,16 @@ _OF_A_CASE = re.compile(
     r"|\bnot\b|nicht|平均|最大|最小|とき|なら)",
     re.IGNORECASE,
 )
+_OF_OTHERS = re.compile(
+    r"\bmax|\bmin\b|\bminim|\bpeak|\bmean\b|\baverage|amplitude|\blargest|\bsmallest|\bgreatest|\bmittler|höchst|größt|kleinst"
+    r"|moyen|medi[oa]\b|\binstead|\bwere\b|\bwould\b|\bnot\b|nicht|unlike|although|whereas|während|平均|最大|最小|ではな",
+    re.IGNORECASE,
+)
+"""Words of a value that is not the letter's own where it stands."""
 _CLAUSE = re.compile(r"(?:[.!?;。；]\s|\n\s*\n|。)")
 _LONGEST_CLAUSE = 120
+_KANA = "\u3041"
+"""From here on a sign is one of Japanese words, and no letter of a formula."""
 _FEW_SIDES = 3
 """Of a formula in a sentence, 2R = 2·40 = 80 mm; a longer chain is a derivation."""
 _SIZES = frozenset({"mm", "cm", "m", "in", "ft", "kg", "g", "lb"})
@@ -100,15 +108,22 @@ def _of_formulas(page: ReadNotes) -> Iterator[GivenInProse]:
         yield GivenInProse(letter, place, value, last.span)
 
 
-def _given(text: str) -> Iterator[GivenInProse]:
-    for match in _GIVEN.finditer(text):
+def values_said(text: str, first: int, last: int) -> Iterator[GivenInProse]:
+    """Yield the values that a stretch of a text gives, also for a case: for a ring where μ is 0.25."""
+    yield from _given(text, first, last, _OF_OTHERS)
+
+
+def _given(
+    text: str, first: int = 0, last: int | None = None, unless: re.Pattern[str] = _OF_A_CASE
+) -> Iterator[GivenInProse]:
+    for match in _GIVEN.finditer(text, first, len(text) if last is None else last):
         clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
         unit, end = _unit_behind(match["behind"])
         if match["beside"] and unit not in _SIZES:  # r 45 mm, and no r 2
             continue
         if not unit and _is_factor(text, *match.span("number")):
             continue
-        if _OF_A_CASE.search(clause) or _GOES_ON.match(match["behind"][end:]):
+        if unless.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
         letter, place = _letter_in(match)
         value = f"{match['number']} {unit}".strip().replace("{,}", ",")
@@ -125,7 +140,8 @@ def _letter_in(match: re.Match[str]) -> tuple[str, Span]:
 def _is_factor(text: str, first: int, last: int) -> bool:
     """Tell whether a number without a unit goes on in a formula: the 2 of $2R = 80$ mm, or of 2R."""
     is_within = text[first - 1 : first] == "$" and text[last : last + 1] != "$"
-    return is_within or text[last : last + 1].isalpha() or text[last : last + 1] == "\\"
+    behind = text[last : last + 1]
+    return is_within or (behind.isalpha() and behind < _KANA) or behind == "\\"
 
 
 def _unit_behind(text: str) -> tuple[str, int]:

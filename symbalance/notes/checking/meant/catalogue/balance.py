@@ -49,6 +49,13 @@ _BALANCER_MASS = words(
     r"(?:each|jede[rs]?|chacun\w*|ciascun\w*|cada\s+un[oa])[^.;=]{0,14}(?:carries|trägt|porte|porta|lleva)[^.;=]{0,30}",
     r"mass\w*[^.;=]{0,24}\b(?:of\s+each|each|de\s+chacun\w*|di\s+ciascun\w*)[^.;=]{0,50}",
 )  # fmt: skip
+_FORCE_OF_ONE = (
+    r"(?:forces?|amplitude\w*|\w*kr[aä]fte?|forza|fuerza|efforts?|力|振幅)[^.;=\n]{0,24}"
+    r"(?:\b(?:of|per|for|from|eines|je|pro|d.un|de\s+un|par|di\s+un|per|por)\s?(?:(?:one|an?|each|every|a\s+single|single|einzelnen|seul"
+    r"|solo|singolo)\s+)?(?:cylind(?:er|re)(?![a-z])|zylinders?(?![a-z])|cilindro(?![a-z])|piston(?![a-z])))"
+    r"|(?:1|一|各|単)\s?(?:気筒|シリンダ)(?:あたり|当たり|分)?の[^、。\n]{0,12}(?:力|振幅)"
+)
+"""Words of what one cylinder does, and no whole engine."""
 _EACH = words(r"\beach|jede|1つ|それぞれ|各|chacun|ciascun|cada\s+un")
 _OF_SINGLE = words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|monocylindre|monocilin")
 _IN_POUNDS = (
@@ -231,8 +238,7 @@ BALANCE: tuple[Quantity, ...] = (
         unless=words(r"in phase|in step|would be|together|articulated|slave|nebenpleuel|副連接棒"
                      r"|counterweight|gegengewicht|second|zweite"
         r"|2次|rotating mass|\bbanks?\b|(?:two|double|twin)[- ]row|two rows|\bhalf\b|per\s+pair"
-        r"|\bfirst\s+\w+\s+cylinders"
-        ), stated=frozenset({"cylinders"}),
+        r"|\bfirst\s+\w+\s+cylinders", _FORCE_OF_ONE), stated=frozenset({"cylinders"}),
     ),
     Quantity(
         "resultant first-order force of a V-twin at 90°", letters("F P R Z"),

@@ -35,6 +35,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import (
+    OF_ONE,
     COUPLE,
     FORCE,
     TORQUE,
@@ -56,6 +57,7 @@ from symbalance.notes.checking.meant.engines.sizes_explained import (
     without_letters_explained,
     without_masses_of_one,
 )
+from symbalance.notes.checking.meant.letter_roles import sign_of
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.products import (
     NoProductError,
@@ -98,16 +100,6 @@ _BALANCED = re.compile(
     r"balanc(?:er|ing|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)"
     r"|ausgleichs|gegengewicht"
     r"|contrepoids|contrapes|バランサ|バランスシャフト|カウンタ|釣合い?おもり|ウ[ェエ]イトで",
-    re.IGNORECASE,
-)
-_OF_ONE = re.compile(
-    r"\b(?:per|each|every|one|single)[\s-]+(?:cylinder|piston|unit|pot)|\bper\s+cyl|a\s+(?:single"
-    r"|lone)\s|of\s+a\s+piston"
-    r"|(?:pro|je|eines|einen|einem|jeder|jedes|jeden)\s+(?:einzelnen\s+)?(?:zylinder|kolben)"
-    r"|einzylinder|einzelne[rnms]?\s"
-    r"|chaque\s+(?:cylindre|piston)|par\s+cylindre|cada\s+(?:cilindro|pist)|por\s+cilindro"
-    r"|ogni\s+cilindro|per\s+cilindro"
-    r"|ciascun|każd\w+\s+cylind|1\s*気筒|各気筒|単気筒|一気筒|of\s+(?:one|the\s+[ijk]-?th)",
     re.IGNORECASE,
 )
 _TOTAL_MASS = re.compile(
@@ -401,10 +393,12 @@ class EngineResultants:
 
     def _assumption(self, name: str, claim: EngineClaim) -> str:
         of = "rotating " if claim.is_rotating else ""
-        source = f"taken from the words “{claim.words}”" if claim.words else "by its index and its wave"
+        source = f"{NOBODY}; taken from the words “{claim.words}”" if claim.words else ""
+        source = source or f"{NOBODY}; by its index and its wave"
+        source = f"declared as “{claim.words}”" if claim.is_declared else source
         return (
             f"{plain_letter(name)} is order {claim.order} of the whole engine's {of}{claim.kind}"
-            f" ({NOBODY}; {source})"
+            f" ({source})"
         )
 
     @staticmethod
@@ -494,7 +488,7 @@ class EngineResultants:
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(sentence)
-        is_part = self._is_of_part(claim)
+        is_part = self._is_of_part(claim, parts.letter.get("base", ""))
         if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", ""), knowledge):
             return False
         number, size = abs(product.number) / first, sizes[0]
@@ -505,14 +499,18 @@ class EngineResultants:
             return not (size or is_of_one)
         return self._is_of_pitch(claim, parts, product.rounding, number, size)
 
-    def _is_of_part(self, claim: EngineClaim) -> bool:
-        """Tell whether words make a formula that of a part or a multiple of what the cylinders do."""
+    def _is_of_part(self, claim: EngineClaim, base: str) -> bool:
+        """Tell whether words make a formula that of a part or a multiple of what the cylinders do.
+
+        Those that only say that the letter of an amplitude, `base`, is one cylinder's do not.
+        """
         own = f"{claim.words} {claim.own} {claim.clause if claim.is_inferred else ''}"
         own = _ALL_OF.get(claim.engine.cylinders, _NONE).sub("", own.replace(claim.engine.words, ""))
         own = without_masses_of_one(without_letters_explained(own))
+        own = _explained(base).sub(" ", own) if base else own
         own = without_balance_to_come(_SPEED.sub("", own))
         around = without_balance_to_come(claim.around)
-        is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(around)
+        is_part = any(words.search(own) for words in (_PART, OF_ONE)) or _BALANCED.search(around)
         is_part = is_part or _SHARE.search(around) is not None
         return bool(is_part) or _TOTAL_MASS.search(self._text) is not None
 
@@ -544,9 +542,11 @@ class EngineResultants:
         """Tell whether a letter for an amplitude is said to be one cylinder's, or there is none."""
         if not base or self.letters.is_inertia_of_one(base, knowledge):
             return True
+        if OF_ONE.search(knowledge.meanings.get(base, "")):
+            return True
         sign = re.compile(rf"(?<![\\A-Za-z_]){re.escape(plain_letter(base))}(?![A-Za-z])")
         places = [m.start() for m in sign.finditer(self._text)]
-        return any(_OF_ONE.search(self._text, max(0, place - 80), place + 80) for place in places)
+        return any(OF_ONE.search(self._text, max(0, place - 80), place + 80) for place in places)
 
     def _is_of_all(self, chain: Chain, claim: EngineClaim, knowledge: Knowledge) -> bool:
         """Tell whether one cylinder's amplitude is said to be the whole engine's.
@@ -556,7 +556,7 @@ class EngineResultants:
         """
         if claim.is_total:
             return True
-        if _OF_ONE.search(without_masses_of_one(self._text)) or _SUMMED.search(self._text):
+        if OF_ONE.search(without_masses_of_one(self._text)) or _SUMMED.search(self._text):
             return False
         head = chain.sides[0].node
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
@@ -620,6 +620,16 @@ class EngineResultants:
         )
         repair = Repair(_KINDS.get(slip, slip), target, ((side.node, target),), 1.0)
         return replace(verdict, fix=fix_of(repair, self.words.document, side))
+
+
+def _explained(name: str) -> re.Pattern[str]:
+    """Return what says that a letter is one cylinder's: $F_2$ is the second-order force of one cylinder."""
+    sign = sign_of(name)
+    return re.compile(
+        rf"(?<![\\A-Za-z_])\$?{sign}\$?(?![A-Za-z_])\s*(?:(?:is|being|ist|est|è|es)\s+|für\s+)?(?:the|die|la|il|le|el)\s"
+        rf"[^$.;:=\n]{{0,60}}?(?:{OF_ONE.pattern})",
+        re.IGNORECASE,
+    )
 
 
 def _sign_of_wave(product: ProductOfPowers) -> int:
