@@ -43,6 +43,7 @@ from symbalance.notes.checking.judging.worded_cases import by_numbers_spoken_of
 from symbalance.notes.checking.meant.given_numbers import number_given, size_given
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
+from symbalance.notes.checking.meant.offset_dead_centres import decide_offset_dead_centre
 from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
 from symbalance.notes.checking.meant.steady_cranks import rate_assumed, with_steady_crank
 from symbalance.notes.checking.page import assertions
@@ -150,6 +151,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
 )
+from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.rival_cases import RivalCases
@@ -432,6 +434,7 @@ class Judge:
         verdict = with_sizes_in_words(self.state, chain, k, verdict)
         verdict = at_crank_angle_in_words(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
+        verdict = unless_other_ratio(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
         verdict = unless_zero_as_printed(self.state, chain, k, verdict)
         verdict = unless_phases_remain(self.state, chain, k, verdict)
@@ -677,9 +680,10 @@ class Judge:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""
         if verdict.verdict not in (*PROVED_WORDS, DEFINITION, PREMISE):
             return verdict
-        by_units = self.state.stated_units.decide(chain, k) or decide_ring_or_disc(
-            chain, k, self.document
-        )
+        by_units = self.state.stated_units.decide(chain, k)
+        by_units = by_units or decide_ring_or_disc(chain, k, self.document)
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        by_units = by_units or decide_offset_dead_centre(chain, k, self.document, symbols)
         return verdict if by_units is None else describe(self.document, chain, k, by_units)
 
     def _case_of_other_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict | None:

@@ -162,7 +162,9 @@ _OF_EACH = re.compile(r"(?:あたり|当たり|当り|ごと|毎|分の|の(?:�
 _FIVE, _FULL = 5, 360
 _FEWEST_DEGREES = 45
 
-_THIRD = re.compile(r"(?<![\d.,])(?:120|240)\s*\$?\s*(?:°|\^\s*\\?\{?\\circ|-?\s?degrees?|Grad|度)", re.IGNORECASE)
+_THIRD = re.compile(
+    r"(?<![\d.,])(?:120|240)\s*\$?\s*(?:°|\^\s*\\?\{?\\circ|-?\s?degrees?|Grad|度)", re.IGNORECASE
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -63,6 +63,13 @@ _IN_POUNDS = (
 )
 """Words and quotients by which a page reckons with weights, and divides by g."""
 
+_WRONG_ACROSS = (
+    (1 - share) * mass * pin * omega**2 * SIN_CRANK,
+    -(1 - share) * mass * pin * omega**2 * SIN_CRANK,
+    share * mass * pin * omega**2 * COS_CRANK,
+)
+"""Across the cylinder acts the weight alone: with its whole share, and as the sine."""
+
 BALANCE: tuple[Quantity, ...] = (
     Quantity(
         "centrifugal force", letters("F Z C P K"),
@@ -155,11 +162,28 @@ BALANCE: tuple[Quantity, ...] = (
               r"(?:行程|シリンダ軸)に(?:垂直|直角)な(?:方向の)?(?:残留力|不釣合い力|不つりあい力)"),
         (share * mass * pin * omega**2 * SIN_CRANK, -share * mass * pin * omega**2 * SIN_CRANK),
         ("edit",),
-        mistakes=((1 - share) * mass * pin * omega**2 * SIN_CRANK,
-        share * mass * pin * omega**2 * COS_CRANK),
+        mistakes=_WRONG_ACROSS,
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
         r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
         r"|remains unbalanced is"), turns=True, stated=frozenset({"share"}),
+    ),
+    Quantity(
+        "force that a counterweight leaves across the cylinder", letters("Y F R Q"),
+        words(r"across(?:\s+(?:it|the\s+(?:cylinder|stroke|bore)(?:\s+axis)?))?",
+              r"(?:at\s+right\s+angles|perpendicular|transverse)(?:\s+to\s+(?:it|the\s+(?:cylinder|stroke)(?:\s+axis)?))?",
+              r"quer(?:\s+(?:dazu|zur?\s+\w*(?:zylinder|achse|richtung)\w*))?",
+              r"transversal\w*", r"trasversal\w*", r"perpendicula\w+(?:\s+(?:à|al|alla|a)\s+\w+)?",
+              r"(?:これに|シリンダ(?:軸)?に)?(?:垂直|直角)(?:な)?(?:方向)?"),
+        (share * mass * pin * omega**2 * SIN_CRANK, -share * mass * pin * omega**2 * SIN_CRANK),
+        ("edit",), mistakes=_WRONG_ACROSS,
+        only=both(
+            words(r"counter-?weight|counterpoise|balance\s+weight|gegengewicht|contrepoids|contrappes|contrapes|釣り?合いおもり"
+                  r"|カウンタ"),
+            words(r"\bleft\b|remain|residual|unbalanced|übrig|verbleib|\brest\b|restkraft|\breste\b|rimane|\bresta\b|queda|残"),
+        ),
+        unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)|fraction (?:that is )?(?:left|unbalanced)"
+                     r"|restanteil|second|zweite|2次|share left|remains unbalanced is|\bV\b|V-?twin|radial|balance shaft"
+                     r"|ausgleichswelle|バランサ"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(
         "counterweight", letters("m M B G"),

@@ -35,9 +35,9 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import (
-    OF_ONE,
     COUPLE,
     FORCE,
+    OF_ONE,
     TORQUE,
     VECTORS,
     WHOLE,
@@ -211,7 +211,7 @@ class EngineResultants:
         if is_second or self._turns_otherwise(value, knowledge):
             return None
         if claim.kind == TORQUE or not names(value):
-            return self._vanishing(head.name, claim, value)
+            return self._vanishing(head.name, claim, value, chain)
         # the formula is of any size: λ = 36.5/125 is still the crank ratio
         formulas = {n: d for n, d in knowledge.definitions.items() if not d.numeric or n == head.name}
         knowledge = replace(knowledge, definitions=formulas)
@@ -409,7 +409,9 @@ class EngineResultants:
         if claim.order > 1:
             yield "the rod is long"
 
-    def _vanishing(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
+    def _vanishing(
+        self, name: str, claim: EngineClaim, value: Formula, chain: Chain
+    ) -> Decision | None:
         if claim.kind == TORQUE:
             return self._vanishing_torque(name, claim, value)
         if VECTORS.search(claim.sentence):
@@ -420,10 +422,26 @@ class EngineResultants:
         sizes = claim.sizes()
         if not all(sizes):
             return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._star(claim, 0.0)))
-        if not claim.is_inferred and not _BALANCED.search(claim.around) and not claim.engine.is_boxer:
+        may_accuse = not claim.engine.is_boxer or self._has_other_couple(claim, chain)
+        if not claim.is_inferred and not _BALANCED.search(claim.around) and may_accuse:
             reason = "; ".join((f"if {self._assumption(name, claim)}", *self._star(claim)))
             return Decision(REFUTED, f"{reason}: the {claim.kind}s of order {claim.order} do not cancel")
         return None
+
+    def _has_other_couple(self, claim: EngineClaim, chain: Chain) -> bool:
+        """Tell whether the same section has a couple of another order of the same boxer.
+
+        Its cylinders are set off from each other then: a page that neglects this has no couple at all.
+        """
+        for other in self.words.document.chains:
+            head = other.sides[0].node
+            is_near = other.relations and self.sections.same_section(other.lines[0], chain.lines[0])
+            if other is chain or not is_near or not isinstance(head, Name) or not names(other.sides[1].node):
+                continue
+            of = self.claims.claim(head.name, other)
+            if of is not None and (of.engine.key, of.kind) == (claim.engine.key, COUPLE):
+                return of.order != claim.order
+        return False
 
     def _vanishing_torque(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
         """Return the decision on an order of the torque that is said to vanish: each crank has its own.
@@ -649,4 +667,10 @@ def _is_what_half_a_balance_leaves(claim: EngineClaim) -> bool:
 def _is_of_another_engine(meaning: str, claim: EngineClaim) -> bool:
     """Tell whether a letter's own words name an engine, and none that the page's words claim it of."""
     own = EnginesInWords(meaning).mentions if meaning else []
-    return bool(own) and all(named.key != claim.engine.key for named in own)
+    return bool(own) and not any(_may_be_same(named, claim.engine) for named in own)
+
+
+def _may_be_same(one: NamedEngine, other: NamedEngine) -> bool:
+    """Tell whether two names may be of one engine: a twin's pins may be told by one of them alone."""
+    is_like = (one.cylinders, one.is_boxer) == (other.cylinders, other.is_boxer)
+    return is_like and (one.turn == other.turn or not one.turn or not other.turn)
