@@ -25,10 +25,10 @@ _LETTER = (
 _GIVES = (
     r"(?:[ ~\n](?:is|of|equals|measures|ist|beträgt|von|mit|misst|vaut|est(?:[ ]de)?|de|mesure|vale"
     r"|è(?:[ ]di)?|di|es(?:[ ]de)?|mide)[ ~\n]|[ ]?[はがを][ ]?|[ ]\((?=[^()\n]{1,24}\))"
-    r"|(?P<beside>[ ~])(?=\$?[0-9]))"
+    r"|(?P<comma>,[ ])(?=[0-9])|(?P<beside>[ ~])(?=\$?[0-9]))"
 )
 _GIVEN = re.compile(
-    rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
+    rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]{{1,3}}(?:[ \u202f\u2009][0-9]{{3}})+(?![0-9])|[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
     r"(?=(?P<behind>[^\n]{0,40}(?:\n[^\n]{0,20})?))"
 )
 _SAID = re.compile(rf"{_LETTER}[ ](?:is|equals|ist|beträgt|est|vaut|è|vale|es)[ ~\n](?:\$|\\\()?\s*$")
@@ -64,6 +64,11 @@ _KANA = "\u3041"
 """From here on a sign is one of Japanese words, and no letter of a formula."""
 _FEW_SIDES = 3
 """Of a formula in a sentence, 2R = 2·40 = 80 mm; a longer chain is a derivation."""
+_AREAS = frozenset({"mm²", "cm²", "m²", "mm^2", "cm^2", "m^2", "mm2", "cm2", "m2"})
+_AWAY = re.compile(
+    r"\s*(?:from|away|off|apart|vom|von|entfernt|d[ae]l?(?:la)?|du|des?|à|above|below|left|right|over|über|unter|de)(?![^\W\d_])"
+)
+"""Behind a length, where it is that from one place to another."""
 _SIZES = frozenset({"mm", "cm", "m", "in", "ft", "kg", "g", "lb"})
 """Units of numbers that may stand beside their letter without a verb."""
 
@@ -121,12 +126,15 @@ def _given(
         unit, end = _unit_behind(match["behind"])
         if match["beside"] and unit not in _SIZES:  # r 45 mm, and no r 2
             continue
+        if match["comma"] and (unit not in _SIZES | _AREAS or _AWAY.match(match["behind"][end:])):
+            continue  # a section S, 160 mm², and no point P, 30 mm from the pin
         if not unit and _is_factor(text, *match.span("number")):
             continue
         if unless.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
         letter, place = _letter_in(match)
-        value = f"{match['number']} {unit}".strip().replace("{,}", ",")
+        number = re.sub(r"(?<=[0-9])[ \u202f\u2009](?=[0-9])", "", match["number"])
+        value = f"{number} {unit}".strip().replace("{,}", ",")
         value_span = match.start("number"), match.start("behind") + end
         yield GivenInProse(letter, place, value, value_span)
 

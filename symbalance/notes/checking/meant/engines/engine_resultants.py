@@ -409,9 +409,7 @@ class EngineResultants:
         if claim.order > 1:
             yield "the rod is long"
 
-    def _vanishing(
-        self, name: str, claim: EngineClaim, value: Formula, chain: Chain
-    ) -> Decision | None:
+    def _vanishing(self, name: str, claim: EngineClaim, value: Formula, chain: Chain) -> Decision | None:
         if claim.kind == TORQUE:
             return self._vanishing_torque(name, claim, value)
         if VECTORS.search(claim.sentence):
@@ -436,7 +434,12 @@ class EngineResultants:
         for other in self.words.document.chains:
             head = other.sides[0].node
             is_near = other.relations and self.sections.same_section(other.lines[0], chain.lines[0])
-            if other is chain or not is_near or not isinstance(head, Name) or not names(other.sides[1].node):
+            if (
+                other is chain
+                or not is_near
+                or not isinstance(head, Name)
+                or not names(other.sides[1].node)
+            ):
                 continue
             of = self.claims.claim(head.name, other)
             if of is not None and (of.engine.key, of.kind) == (claim.engine.key, COUPLE):
