@@ -78,7 +78,12 @@ def decide_case(
     """
     if any(has_remainder(s.node) or without_dots(s.node)[1] for s in chain.sides[k : k + 2]):
         return None  # an order is a claim, and a series is one
-    if refutation.left is None and not names(chain.sides[k + 1].node):  # ≈: no forms were kept
+    right = chain.sides[k + 1].node
+    is_cut_off = (
+        refutation.through is not None and isinstance(right, Number) and right.last_place is not None
+    )
+    # ≈: no forms were kept, or those of a series: r/l ≈ 0.307 says nothing of an endless rod
+    if (refutation.left is None or is_cut_off) and not names(right):
         exactly = decide_equality(chain.sides[k].node, chain.sides[k + 1].node, knowledge)
         refutation = replace(refutation, left=exactly.left, right=exactly.right)
     if (in_units := in_units_left_out(chain, k, knowledge)) is not None:
@@ -88,7 +93,7 @@ def decide_case(
         word = CONDITION
     if not word:
         return None
-    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    left = chain.sides[k].node
     if reason == NUMBERS_PUT_IN and _is_of_sizes(left, right, knowledge):
         return _decide_put_in(left, right, refutation, knowledge)
     level = refutation.level or list(knowledge.levels(left, right))[-1]

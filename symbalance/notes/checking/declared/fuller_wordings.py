@@ -46,6 +46,7 @@ _PUT_OFF = (
     r"^(?:the |constant |rated |mittlere |konstante )",
     r"(?:の|)(?:下向き正|中心間)",
 )
+_MEAN = re.compile(r"(?<![^\W\d_])mittlere[rnms]?(?![^\W\d_])", re.IGNORECASE)
 _ANGULAR = frozenset({"omega", "Omega"})
 """Letters whose speed of rotation is in radians."""
 _ROTATION = re.compile(
@@ -97,6 +98,8 @@ def fuller_role(text: str) -> str:
     ('rod length', '')
     >>> fuller_role("rated angular speed"), fuller_role("Verhältnis Kurbelradius zu Pleuellänge")
     ('angular speed', 'crank ratio r/l')
+    >>> fuller_role("mittlere Winkelgeschwindigkeit"), fuller_role("mittlere Kolbengeschwindigkeit")
+    ('angular speed', '')
     >>> fuller_role("angle of the bank"), fuller_role("crank angle from bottom dead centre")
     ('', '')
     """
@@ -111,6 +114,8 @@ def fuller_role(text: str) -> str:
     role = _phrases().get(left.casefold(), "")
     if not role and has_top and left.casefold() in ("angle", "winkel", "crank", "kurbel"):
         role = CRANK_ANGLE
+    if role in MOVING and _MEAN.search(text):
+        return ""  # over a stroke, and nothing that turns with the crank
     return role if role != FROM_TOP or has_top else ""
 
 

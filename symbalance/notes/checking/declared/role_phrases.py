@@ -140,6 +140,8 @@ PARTS = {
     "Kurbel": "crank radius",
 }  # fmt: skip
 """Parts of the crank drive, which stand for their lengths before a letter for one: rod L = 160 mm."""
+_TURNS_AT = "crank turns at"
+_LETTERS_OF_SPEEDS = frozenset({"omega", "Omega", "ω", "Ω", "w", "n", "N"})
 LETTERS_OF_LENGTHS = {"rod length": ("l", "L", "ell"), "crank radius": ("r", "R")}
 
 CONVENTIONS = {"l/r": "rod ratio l/r", "l/s": "rod ratio l/s", "r/l": "crank ratio r/l"}
@@ -193,6 +195,8 @@ class NamedRole:
 
     def may_name(self, letter: str) -> bool:
         """Tell whether the phrase may name a letter: a rod stands for its length before l or L alone."""
+        if self.phrase.casefold() == _TURNS_AT and letter.strip("\\") in _LETTERS_OF_SPEEDS:
+            return False  # "the crank turns at ω" gives its speed, "at θ" its place
         return not self.is_part or letter in LETTERS_OF_LENGTHS[self.role]
 
     @property

@@ -35,6 +35,7 @@ from symbalance.notes.checking.judging.denied_relations import verdict_on_denied
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
+from symbalance.notes.checking.judging.numbers_in_sentences import by_numbers_in_sentence
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
@@ -44,6 +45,7 @@ from symbalance.notes.checking.judging.worded_cases import by_numbers_spoken_of
 from symbalance.notes.checking.meant.given_numbers import number_given, size_given
 from symbalance.notes.checking.meant.meant_words import NOBODY
 from symbalance.notes.checking.meant.motion_in_time import with_rates_of_rates
+from symbalance.notes.checking.meant.offset_dead_centres import decide_offset_dead_centre
 from symbalance.notes.checking.meant.ring_or_disc import decide_ring_or_disc
 from symbalance.notes.checking.meant.steady_cranks import rate_assumed, with_steady_crank
 from symbalance.notes.checking.page import assertions
@@ -152,6 +154,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
 )
+from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.rival_cases import RivalCases
@@ -198,6 +201,8 @@ from symbalance.notes.checking.words.case_words import (
     leads_to_claim,
     speaks_of_every,
 )
+from symbalance.notes.checking.words.columns_as_binomials import with_columns
+from symbalance.notes.checking.words.means_under_bars import with_means_under_bars
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.terms_of_a_kind import unlike_terms
 from symbalance.notes.checking.words.unit_or_letter import with_both_readings
@@ -222,6 +227,7 @@ class Judge:
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
         self.document = with_angles_of_time(with_both_readings(self.document, symbols_at))
+        self.document = with_columns(with_means_under_bars(self.document))
         self.document = with_own_functions(self.document, self.declarations.symbols)
         text = self.document.text
         shown = with_raised_points_lowered(with_units_shown(text))
@@ -416,6 +422,7 @@ class Judge:
         verdict = by_own_numbers(self.state, chain, k, verdict, again)
         with_sizes = partial(self._with_sizes, chain, k)
         verdict = by_numbers_spoken_of(self.state, chain, k, verdict, with_sizes)
+        verdict = by_numbers_in_sentence(self.state, chain, k, verdict, again)
         verdict = unless_repeated(self.state, chain, k, verdict, again)
         verdict = self._unless_excepted(chain, k, verdict)
         verdict = self._as_one_of_listed(chain, k, verdict)
@@ -435,6 +442,7 @@ class Judge:
             verdict = by_numbers_spoken_of(self.state, chain, k, verdict, with_sizes)
         verdict = at_crank_angle_in_words(self.state, chain, k, verdict)
         verdict = unless_plain_sum(self.state, chain, k, verdict)
+        verdict = unless_other_ratio(self.state, chain, k, verdict)
         verdict = unless_false_zero(self.state, chain, k, verdict)
         verdict = unless_zero_as_printed(self.state, chain, k, verdict)
         verdict = unless_divided_by_zero(self.state, chain, k, verdict)
@@ -686,9 +694,10 @@ class Judge:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""
         if verdict.verdict not in (*PROVED_WORDS, DEFINITION, PREMISE):
             return verdict
-        by_units = self.state.stated_units.decide(chain, k) or decide_ring_or_disc(
-            chain, k, self.document
-        )
+        by_units = self.state.stated_units.decide(chain, k)
+        by_units = by_units or decide_ring_or_disc(chain, k, self.document)
+        symbols = self.declarations.symbols_at(chain.lines[0])
+        by_units = by_units or decide_offset_dead_centre(chain, k, self.document, symbols)
         return verdict if by_units is None else describe(self.document, chain, k, by_units)
 
     def _case_of_other_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict | None:

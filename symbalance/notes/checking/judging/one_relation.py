@@ -68,7 +68,7 @@ from symbalance.notes.checking.premises.letter_values import define_letter
 from symbalance.notes.checking.premises.measured_values import MEASURED
 from symbalance.notes.checking.premises.ranges_in_words import letters_without_sign
 from symbalance.notes.checking.premises.rough_letters import decide_roughly
-from symbalance.notes.checking.steps.angle_equations import as_equation_for_angle
+from symbalance.notes.checking.steps.angle_equations import as_angle_solved, as_equation_for_angle
 from symbalance.notes.checking.steps.another_engine import as_new_extreme
 from symbalance.notes.checking.steps.dead_centres import value_at_dead_centre
 from symbalance.notes.checking.steps.derivatives_in_words import refute_named_rate
@@ -260,6 +260,7 @@ def _judge_equality(
     definition = definition or decide_solved_wave(state, chain, k, knowledge)
     definition = definition or value_at_named_place(state, chain, k, knowledge)
     definition = definition or _define(state, chain, k, knowledge)
+    definition = definition or as_angle_solved(state, chain, k)
     definition = definition or decide_for_values(state.document, chain, k, knowledge)
     wrong = None if k else state.wrong_angles.get(chain.sides[0].span[0])
     definition = wrong or definition

@@ -506,7 +506,7 @@ def _named(quantity: Quantity, words: str, places: Places, sentence: str) -> Nam
     near = f"{places.around} {places.heading}" if quantity.only else places.around
     own = f"{sentence} {words}"
     is_told_here = quantity.only is not None and quantity.only.search(own) is not None
-    may_be_denied = own if is_told_here else places.around  # its own sentence tells the shape
+    may_be_denied = own if is_told_here else f"{places.around} {own}"  # its own sentence tells the shape
     is_other = quantity.unless is not None and quantity.unless.search(may_be_denied) is not None
     is_other |= quantity.never is not None and quantity.never.search(places.page) is not None
     if quantity.only is not None and not quantity.only.search(f"{near} {words}"):

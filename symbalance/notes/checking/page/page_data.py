@@ -63,6 +63,14 @@ _ITEM = re.compile(
     r"^[^\S\n]*+(?:[-*+•]|[0-9]{1,2}[.)]|\\item)\s+(?P<letter>[^\n:=]{1,60}?)\s*[:：]\s+(?P<value>[^\n=]{1,40}?)[.;,]?$",
     re.MULTILINE,
 )
+_DATUM = re.compile(
+    r"^[^\S\n]+(?:(?P<words>[^\n:=$|]{2,40}?)[^\S\n]+)(?P<letter>[^\W\d_]\w{0,4})[^\S\n]*:[^\S\n]+"
+    r"(?P<value>[0-9][^\n=(:]{0,24}?)(?:[^\S\n]{2,}[^\n]*|[^\S\n]*\([^\n]*|[.;,]?)$",
+    re.MULTILINE,
+)
+"""A line of a list without bullets, as mails have it: "   crank radius r: 36 mm   (stroke 72 mm)"."""
+FEWEST_DATA = 3
+"""Such lines one below the other that are a list."""
 _FENCED = re.compile(
     r"^(`{3,}+|~{3,}+)(?P<language>\w*+)[^\n]*+\n(?P<code>.*?)^\1", re.MULTILINE | re.DOTALL
 )
@@ -85,6 +93,7 @@ def data_of(notes: ReadNotes, symbols_at: Symbols) -> tuple[Chain, ...]:
         # in a row z_k | a | 0 | -a the a is a value, and has none there itself
         *(chain for chain in reader.of_tables() if (chain.lines[0], _letter(chain)) not in within),
         *reader.of_items(),
+        *reader.of_lines(),
         *reader.of_prose(),
         *reader.of_code(),
         *rows_of_values(notes, used),
@@ -139,6 +148,21 @@ class _Reader:
                 chain = self._chain(own[0], letter, Cell(match["value"], match.span("value")), own[1])
                 if chain is not None:
                     yield chain
+
+    def of_lines(self) -> Iterator[Chain]:
+        """Yield the data of lists whose lines have no bullets: three at least, one below the other."""
+        block: list[re.Match[str]] = []
+        for match in (*_DATUM.finditer(self.notes.text), None):
+            if match is not None and block and match.start() <= block[-1].end() + 1:
+                block.append(match)
+                continue
+            for each in block if len(block) >= FEWEST_DATA else ():
+                name = letter_in(self.notes.text, each["letter"])
+                letter, value = (Cell(each[key], each.span(key)) for key in ("letter", "value"))
+                is_letter = name is not None and self._is_letter(name, letter.span[0])
+                if name is not None and is_letter and (chain := self._chain(name, letter, value, "")):
+                    yield chain
+            block = [] if match is None else [match]
 
     def of_prose(self) -> Iterator[Chain]:
         """Yield the data of sentences: the mass $m$ is 0.5 kg."""
@@ -238,6 +262,12 @@ def number_in_cell(text: str, has_commas: bool) -> tuple[Number, str] | None:
     match = _VALUE.fullmatch(bare_cell(text))
     number = _number(match, has_commas) if match is not None else None
     return None if match is None or number is None else (number, match["unit"] or "")
+
+
+def quantity_typed(text: str, span: Span, *, has_commas: bool) -> Formula | None:
+    """Return a number with its unit as it is typed in a sentence, None for anything else."""
+    read = number_in_cell(text, has_commas)
+    return None if read is None else _with_unit(*read, span)
 
 
 def bare_cell(text: str) -> str:

@@ -25,10 +25,10 @@ _LETTER = (
 _GIVES = (
     r"(?:[ ~\n](?:is|of|equals|measures|ist|beträgt|von|mit|misst|vaut|est(?:[ ]de)?|de|mesure|vale"
     r"|è(?:[ ]di)?|di|es(?:[ ]de)?|mide)[ ~\n]|[ ]?[はがを][ ]?|[ ]\((?=[^()\n]{1,24}\))"
-    r"|(?P<beside>[ ~])(?=\$?[0-9]))"
+    r"|(?P<comma>,[ ])(?=[0-9])|(?P<beside>[ ~])(?=\$?[0-9]))"
 )
 _GIVEN = re.compile(
-    rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
+    rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]{{1,3}}(?:[ \u202f\u2009][0-9]{{3}})+(?![0-9])|[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
     r"(?=(?P<behind>[^\n]{0,40}(?:\n[^\n]{0,20})?))"
 )
 _SAID = re.compile(rf"{_LETTER}[ ](?:is|equals|ist|beträgt|est|vaut|è|vale|es)[ ~\n](?:\$|\\\()?\s*$")
@@ -52,10 +52,23 @@ _OF_A_CASE = re.compile(
     r"|\bnot\b|nicht|平均|最大|最小|とき|なら)",
     re.IGNORECASE,
 )
+_OF_OTHERS = re.compile(
+    r"\bmax|\bmin\b|\bminim|\bpeak|\bmean\b|\baverage|amplitude|\blargest|\bsmallest|\bgreatest|\bmittler|höchst|größt|kleinst"
+    r"|moyen|medi[oa]\b|\binstead|\bwere\b|\bwould\b|\bnot\b|nicht|unlike|although|whereas|während|平均|最大|最小|ではな",
+    re.IGNORECASE,
+)
+"""Words of a value that is not the letter's own where it stands."""
 _CLAUSE = re.compile(r"(?:[.!?;。；]\s|\n\s*\n|。)")
 _LONGEST_CLAUSE = 120
+_KANA = "\u3041"
+"""From here on a sign is one of Japanese words, and no letter of a formula."""
 _FEW_SIDES = 3
 """Of a formula in a sentence, 2R = 2·40 = 80 mm; a longer chain is a derivation."""
+_AREAS = frozenset({"mm²", "cm²", "m²", "mm^2", "cm^2", "m^2", "mm2", "cm2", "m2"})
+_AWAY = re.compile(
+    r"\s*(?:from|away|off|apart|vom|von|entfernt|d[ae]l?(?:la)?|du|des?|à|above|below|left|right|over|über|unter|de)(?![^\W\d_])"
+)
+"""Behind a length, where it is that from one place to another."""
 _SIZES = frozenset({"mm", "cm", "m", "in", "ft", "kg", "g", "lb"})
 """Units of numbers that may stand beside their letter without a verb."""
 
@@ -100,18 +113,28 @@ def _of_formulas(page: ReadNotes) -> Iterator[GivenInProse]:
         yield GivenInProse(letter, place, value, last.span)
 
 
-def _given(text: str) -> Iterator[GivenInProse]:
-    for match in _GIVEN.finditer(text):
+def values_said(text: str, first: int, last: int) -> Iterator[GivenInProse]:
+    """Yield the values that a stretch of a text gives, also for a case: for a ring where μ is 0.25."""
+    yield from _given(text, first, last, _OF_OTHERS)
+
+
+def _given(
+    text: str, first: int = 0, last: int | None = None, unless: re.Pattern[str] = _OF_A_CASE
+) -> Iterator[GivenInProse]:
+    for match in _GIVEN.finditer(text, first, len(text) if last is None else last):
         clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
         unit, end = _unit_behind(match["behind"])
         if match["beside"] and unit not in _SIZES:  # r 45 mm, and no r 2
             continue
+        if match["comma"] and (unit not in _SIZES | _AREAS or _AWAY.match(match["behind"][end:])):
+            continue  # a section S, 160 mm², and no point P, 30 mm from the pin
         if not unit and _is_factor(text, *match.span("number")):
             continue
-        if _OF_A_CASE.search(clause) or _GOES_ON.match(match["behind"][end:]):
+        if unless.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
         letter, place = _letter_in(match)
-        value = f"{match['number']} {unit}".strip().replace("{,}", ",")
+        number = re.sub(r"(?<=[0-9])[ \u202f\u2009](?=[0-9])", "", match["number"])
+        value = f"{number} {unit}".strip().replace("{,}", ",")
         value_span = match.start("number"), match.start("behind") + end
         yield GivenInProse(letter, place, value, value_span)
 
@@ -125,7 +148,8 @@ def _letter_in(match: re.Match[str]) -> tuple[str, Span]:
 def _is_factor(text: str, first: int, last: int) -> bool:
     """Tell whether a number without a unit goes on in a formula: the 2 of $2R = 80$ mm, or of 2R."""
     is_within = text[first - 1 : first] == "$" and text[last : last + 1] != "$"
-    return is_within or text[last : last + 1].isalpha() or text[last : last + 1] == "\\"
+    behind = text[last : last + 1]
+    return is_within or (behind.isalpha() and behind < _KANA) or behind == "\\"
 
 
 def _unit_behind(text: str) -> tuple[str, int]:

@@ -37,9 +37,10 @@ from symbalance.notes.checking.deciding.relations import decide, written_out
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.premises.another_prefix import ANOTHER_PREFIX, is_in_another_prefix
+from symbalance.notes.checking.premises.cases_of_angles import case_of_angle
 from symbalance.notes.checking.premises.definitions import Definitions
 from symbalance.notes.checking.premises.impossible_values import outside_range
-from symbalance.notes.checking.premises.premise_decisions import FAR, decide_by_premises
+from symbalance.notes.checking.premises.premise_decisions import FAR, decide_by_premises, is_refused
 from symbalance.notes.checking.premises.results_as_cases import is_led_to, refute_result
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE
@@ -81,6 +82,11 @@ def _define_anew(
         return Decision(DEFINITION, other)
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
     is_apart = _is_of_another_section(definitions, earlier, value, chain, knowledge)
+    if not k and is_refused(by_premises):
+        by_case = case_of_angle(definitions, name, value, chain)
+        if by_case is not None and by_case.status == PREMISE:
+            definitions.define(name, value, chain, definitions.sections.case_end(line))
+            return by_case
     if by_premises is not None and not is_apart:
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:

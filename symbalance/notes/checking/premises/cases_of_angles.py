@@ -1,12 +1,13 @@
 """An angle's value in a sentence, "at θ = 90° the force is": a case, whatever it was solved for before.
 
 An equation further up, cos θ = 0.2247 for the largest speed, fixes the angle where that was asked for. It
-says nothing of the next example, or of what stands in a later paragraph.
+says nothing of the next example, or of what stands in a later paragraph. Nor does 360° - γ = 315°, said of
+one V-twin, of the next: for γ = 52°.
 """
 
 from __future__ import annotations
 
-from symbalance.document.formula import Formula, names
+from symbalance.document.formula import Constant, Formula, names, walk
 from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
 from symbalance.notes.checking.premises.definitions import Definitions
@@ -25,7 +26,9 @@ def case_of_angle(definitions: Definitions, name: str, value: Formula, chain: Ch
     sections, line = definitions.sections, chain.lines[0]
     premises = [p for p in definitions.premises_at(line) if name in p.names]
     nodes = [node for p in premises for node in (p.left, p.right)]
-    if names(value) or not chain.inline or not any(name in letters_in_waves(node) for node in nodes):
+    is_angle = any(part == Constant("pi") for part in walk(value))  # 52°, of γ in 360° - γ = 315°
+    is_angle = is_angle or any(name in letters_in_waves(node) for node in nodes)
+    if names(value) or not chain.inline or not is_angle:
         return None
     if sections.is_consequence(chain):
         return None

@@ -30,7 +30,11 @@ from symbalance.notes.checking.premises.impossible_values import (
     refuse_value,
 )
 from symbalance.notes.checking.premises.measured_values import define_measured
-from symbalance.notes.checking.premises.premise_decisions import decide_by_premises, must_follow
+from symbalance.notes.checking.premises.premise_decisions import (
+    decide_by_premises,
+    is_refused,
+    must_follow,
+)
 from symbalance.notes.checking.premises.sizes_by_number import define_size
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINITION, PREMISE, STATED
@@ -179,7 +183,7 @@ def _define_first(
     """Return the decision on a letter's first value, which premises and ranges may contradict."""
     bare, line = without_dots(value)[0], chain.lines[0]
     by_premises = decide_by_premises(definitions, Premise(Name(name), bare, line), knowledge)
-    if by_premises is not None and by_premises.status == CONTRADICTION:
+    if is_refused(by_premises):
         by_premises = case_of_angle(definitions, name, bare, chain) or by_premises
     if by_premises is not None and by_premises.status not in STATED:
         return by_premises

@@ -29,6 +29,7 @@ from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
+DOES_NOT_FIT = "does not fit"
 FAR = 4
 """Lines: what does not fit an equation further up may be another engine's, or a new example's."""
 
@@ -52,6 +53,13 @@ def decide_by_premises(
         rounded=True,
     )
     return decide_to_the_degree(premises, statement, knowledge) or decision
+
+
+def is_refused(decision: Decision | None) -> bool:
+    """Tell whether premises speak against a statement: those near contradict it, those far do not fit."""
+    if decision is None:
+        return False
+    return decision.status == CONTRADICTION or decision.reason.startswith(DOES_NOT_FIT)
 
 
 def _decide_exactly(
@@ -106,7 +114,7 @@ def _refusal_by(
         if not others and after.residue is not None and letters(after.residue):
             return None  # of a motion, at some angle
         if others and statement.line - max(p.line for p in others) > FAR:
-            reason = f"does not fit {lines_of(others)}: another case, or wrong"
+            reason = f"{DOES_NOT_FIT} {lines_of(others)}: another case, or wrong"
             return Decision(UNDECIDED, reason)
         reason = f"contradicts {lines_of(others)}" if others else "contradicts what is known"
         return Decision(CONTRADICTION, reason)

@@ -29,8 +29,10 @@ from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute, with_every
 from symbalance.notes.checking.page.solutions import chains_below
+from symbalance.notes.checking.premises.angles_at import solves_as_printed
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
@@ -47,9 +49,12 @@ LONGEST = 80
 """Characters between an equation and its result."""
 DEGREE = Fraction(1, 60)
 """About a degree, as near as an angle in whole degrees is to what it is printed for."""
+HALF_DEGREE = Fraction(1, 112)
+"""What an angle in whole degrees may be off by, and a little more."""
 _RESULT = re.compile(
     r"(?<![A-Za-z])(?:that\s+is|i\.\s?e\.|so|hence|thus|therefore|gives?|giving|or|about|das\s+ist|d\.\s?h\.|also"
-    r"|somit|ergibt|daraus|d'où|donc|soit)(?![A-Za-z])|[⇒⟹→]|\\(?:Rightarrow|implies|Longrightarrow|to)(?![A-Za-z])"
+    r"|das\s+heißt|somit|ergibt|daraus|d'où|donc|soit|c'est[\s-]à[\s-]dire|ainsi|cioè|ossia|ovvero|quindi|dunque|perciò|da\s+cui"
+    r"|es\s+decir|o\s+sea|por\s+(?:lo\s+)?tanto|entonces|de\s+donde|isto\s+é|ou\s+seja|portanto|dus|dat\s+is)(?![A-Za-z])|[⇒⟹→]|\\(?:Rightarrow|implies|Longrightarrow|to)(?![A-Za-z])"
     r"|よって|すなわち|つまり|ゆえに"
 )
 
@@ -81,16 +86,33 @@ def as_equation_for_angle(
     if following is None:
         return None
     value, line = following.sides[1].node, chain.lines[0]
-    condition = Premise(chain.sides[0].node, chain.sides[1].node, line)
+    results = (side.node for side in chain.sides[1:] if not names(side.node))
+    condition = Premise(chain.sides[0].node, next(results, chain.sides[1].node), line)
     cases = lines_of_cases(state.definitions, line + 1, frozenset({name}))
     with without_cases(state.definitions, cases, frozenset({name})):
         free = state.knowledge(line)
         is_solution = _solves_nearly(condition, name, value, free)
-    text = f"{condition.text} of line {line}"
+        is_printed = (
+            solves_as_printed(condition, name, value, free)
+            if decimals(value)
+            else _solves_nearly(condition, name, value, free, HALF_DEGREE)
+        )
+    text, start = f"{condition.text} of line {line}", following.sides[0].span[0]
     if not is_solution:
-        wrong = Decision(REFUTED, f"does not satisfy {text}")
-        state.wrong_angles[following.sides[0].span[0]] = wrong
+        state.wrong_angles[start] = Decision(REFUTED, f"does not satisfy {text}")
+    elif name in knowledge.definitions and is_printed is not None:
+        near = Decision(UNDECIDED, f"near a solution of {text}, but none to the digits printed")
+        state.solved_angles[start] = Decision(CONDITION, f"solves {text}") if is_printed else near
     return Decision(CONDITION, f"solved for {plain_text(Name(name))} behind it")
+
+
+def as_angle_solved(state: JudgingState, chain: Chain, k: int) -> Decision | None:
+    """Return that an angle's value solves the equation right before it, whatever it was further up."""
+    head, start = chain.sides[0].node, chain.sides[0].span[0]
+    decision = None if k else state.solved_angles.get(start)
+    if decision is not None and decision.status == CONDITION and isinstance(head, Name):
+        state.definitions.define(head.name, chain.sides[1].node, chain)
+    return decision
 
 
 def unless_solved_for_wave(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -120,12 +142,14 @@ def unless_solved_for_wave(state: JudgingState, chain: Chain, k: int, verdict: V
     return describe(state.document, chain, k, Decision(CONDITION, reason))
 
 
-def _solves_nearly(condition: Premise, name: str, value: Formula, knowledge: Knowledge) -> bool:
+def _solves_nearly(
+    condition: Premise, name: str, value: Formula, knowledge: Knowledge, near: Fraction = DEGREE
+) -> bool:
     """Tell whether an equation has a solution near an angle, to a degree, or nothing is known of it."""
     known = {n: d.node for n, d in knowledge.definitions.items() if n != name}
     meaning = replace(knowledge.meaning, values={**knowledge.meaning.values, **known})
     gap, signs = Sum((condition.left, Negative(condition.right))), set[bool]()
-    for step in (-DEGREE, DEGREE):
+    for step in (-near, near):
         moved = substitute(gap, name, Sum((value, rational_node(step))))
         if letters_behind(moved, meaning.values) or not (points := sample_trees([moved], meaning, 1)):
             return True

@@ -162,6 +162,10 @@ _OF_EACH = re.compile(r"(?:あたり|当たり|当り|ごと|毎|分の|の(?:�
 _FIVE, _FULL = 5, 360
 _FEWEST_DEGREES = 45
 
+_THIRD = re.compile(
+    r"(?<![\d.,])(?:120|240)\s*\$?\s*(?:°|\^\s*\\?\{?\\circ|-?\s?degrees?|Grad|度)", re.IGNORECASE
+)
+
 
 @dataclass(frozen=True, slots=True)
 class CrankStar:
@@ -342,7 +346,8 @@ class EnginesInWords:
             stars = (CrankStar((0, 180)), CrankStar((0, 0)))
         is_told = _FLAT.search(f"{heading}\n{near}") is not None
         if stars == (_FLAT_THREE,) and not is_told:  # half a turn may be of another engine of the section
-            stars = (CrankStar(_INLINE[3]), _FLAT_THREE)
+            is_usual = _THIRD.search(near) is not None  # its own sentence has cranks at 120°
+            stars = (CrankStar(_INLINE[3]),) if is_usual else (CrankStar(_INLINE[3]), _FLAT_THREE)
         return replace(engine, stars=stars)
 
 

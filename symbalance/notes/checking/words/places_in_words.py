@@ -28,8 +28,25 @@ _FROM = re.compile(
     re.IGNORECASE,
 )
 """Before a dead centre that a path or an angle is counted from: Kolbenweg ab OT."""
+_TURN_BEFORE = (
+    r"(?:after|past|nach|après|dopo|tras|después\s+(?:de|of)|depois\s+(?:de|of)|na|efter)\s+(?:(?:an?|one|the|einer|der|une?|le|la|una?|el"
+    r"|um|uma|een|en|ett|et)\s+)?"
+)
+_QUARTER_TURN = (
+    rf"{_TURN_BEFORE}(?:quarter(?:[\s-]+(?:of\s+a\s+|of\s+the\s+)?)(?:turn|revolution)|viertel\s?(?:um)?drehung"
+    r"|quart\s+(?:de|of)\s+tour|quarto\s+(?:di|de|of)\s+(?:giro|volta)|cuarto\s+(?:de|of)\s+vuelta|kwart(?:\s?slag|\s+omwenteling)"
+    r"|kvarts?\s+varv)(?![^\W\d_])"
+    r"|(?:(?:4|四)\s?分の\s?(?:1|一)|1/4|¼)\s?回転(?:した|すると|後|では|のとき|して)"
+)
+_HALF_TURN_LATER = (
+    rf"{_TURN_BEFORE}(?:half(?:\s+an?|\s+of\s+a)?[\s-]+(?:turn|revolution)|halben\s+(?:Um)?drehung|demi[\s-]tour|mezzo\s+giro"
+    r"|medi[ao]\s+(?:giro|vuelta)|mei[ao]\s+volta|halve\s+(?:slag|omwenteling)|halvt\s+varv)(?![^\W\d_])"
+    r"|(?:半|(?:2|二)\s?分の\s?(?:1|一)|1/2|½)\s?回転(?:した|すると|後|では|のとき|して)"
+)
+"""By how much the crank has turned since its start, the top: after a quarter turn."""
 _PLACE = re.compile(
-    rf"(?P<top>{_TOP}|{_SHORT_TOP})|(?P<bottom>{_BOTTOM}|{_SHORT_BOTTOM})"
+    rf"(?P<quarter>{_QUARTER_TURN})|(?P<half>{_HALF_TURN_LATER})"
+    rf"|(?P<top>{_TOP}|{_SHORT_TOP})|(?P<bottom>{_BOTTOM}|{_SHORT_BOTTOM})"
     r"|(?<![A-Za-z])(?:at|for|bei|für|fuer|pour|à|en|przy|vid|per|para|when|wenn|quand|lorsque)\s+(?:an?\s+(?:crank\s+)?angle\s+of\s+)?"
     r"(?:\$?(?P<letter>\\?[a-zθφαψβ]{1,8})\$?\s?(?:=|(?:is|ist|est|equal\s+to|equals|gleich|égale?\s+à|vaut|è|uguale\s+a|es|igual\s+a)\s)\s?)?\$?"
     r"(?P<at>[0-9]{1,3})\s?\$?(?:°|\^\{?\\circ|degrees?|Grad)|(?P<when>[0-9]{1,3})\s?(?:°|度)\$?(?:では|のとき)"
@@ -106,7 +123,8 @@ def _places(words: str) -> Iterator[PlaceInWords]:
             continue  # what is counted from there is not taken there
         if not is_centre and _TILTED.search(words, max(match.start() - 16, 0), match.start()):
             continue
-        degrees = match["at"] or match["when"] or match["value"] or (0 if match["top"] else 180)
+        turned = 90 if match["quarter"] else 0 if match["top"] else 180
+        degrees = match["at"] or match["when"] or match["value"] or turned
         yield PlaceInWords(int(degrees), match["letter"] or match["alone"] or "", match.start())
 
 

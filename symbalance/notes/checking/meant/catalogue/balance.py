@@ -49,12 +49,26 @@ _BALANCER_MASS = words(
     r"(?:each|jede[rs]?|chacun\w*|ciascun\w*|cada\s+un[oa])[^.;=]{0,14}(?:carries|trägt|porte|porta|lleva)[^.;=]{0,30}",
     r"mass\w*[^.;=]{0,24}\b(?:of\s+each|each|de\s+chacun\w*|di\s+ciascun\w*)[^.;=]{0,50}",
 )  # fmt: skip
+_FORCE_OF_ONE = (
+    r"(?:forces?|amplitude\w*|\w*kr[aä]fte?|forza|fuerza|efforts?|力|振幅)[^.;=\n]{0,24}"
+    r"(?:\b(?:of|per|for|from|eines|je|pro|d.un|de\s+un|par|di\s+un|per|por)\s?(?:(?:one|an?|each|every|a\s+single|single|einzelnen|seul"
+    r"|solo|singolo)\s+)?(?:cylind(?:er|re)(?![a-z])|zylinders?(?![a-z])|cilindro(?![a-z])|piston(?![a-z])))"
+    r"|(?:1|一|各|単)\s?(?:気筒|シリンダ)(?:あたり|当たり|分)?の[^、。\n]{0,12}(?:力|振幅)"
+)
+"""Words of what one cylinder does, and no whole engine."""
 _EACH = words(r"\beach|jede|1つ|それぞれ|各|chacun|ciascun|cada\s+un")
 _OF_SINGLE = words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|monocylindre|monocilin")
 _IN_POUNDS = (
     r"\bpounds?\b|\blbs?\b|\\[dt]?frac\s?\{?\s?[WG](?:_\w)?\s?\}?\s?\{?\s?g\b|\b[WG](?:_\w)?\s?/\s?g\b"
 )
 """Words and quotients by which a page reckons with weights, and divides by g."""
+
+_WRONG_ACROSS = (
+    (1 - share) * mass * pin * omega**2 * SIN_CRANK,
+    -(1 - share) * mass * pin * omega**2 * SIN_CRANK,
+    share * mass * pin * omega**2 * COS_CRANK,
+)
+"""Across the cylinder acts the weight alone: with its whole share, and as the sine."""
 
 BALANCE: tuple[Quantity, ...] = (
     Quantity(
@@ -148,11 +162,28 @@ BALANCE: tuple[Quantity, ...] = (
               r"(?:行程|シリンダ軸)に(?:垂直|直角)な(?:方向の)?(?:残留力|不釣合い力|不つりあい力)"),
         (share * mass * pin * omega**2 * SIN_CRANK, -share * mass * pin * omega**2 * SIN_CRANK),
         ("edit",),
-        mistakes=((1 - share) * mass * pin * omega**2 * SIN_CRANK,
-        share * mass * pin * omega**2 * COS_CRANK),
+        mistakes=_WRONG_ACROSS,
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
         r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
         r"|remains unbalanced is"), turns=True, stated=frozenset({"share"}),
+    ),
+    Quantity(
+        "force that a counterweight leaves across the cylinder", letters("Y F R Q"),
+        words(r"across(?:\s+(?:it|the\s+(?:cylinder|stroke|bore)(?:\s+axis)?))?",
+              r"(?:at\s+right\s+angles|perpendicular|transverse)(?:\s+to\s+(?:it|the\s+(?:cylinder|stroke)(?:\s+axis)?))?",
+              r"quer(?:\s+(?:dazu|zur?\s+\w*(?:zylinder|achse|richtung)\w*))?",
+              r"transversal\w*", r"trasversal\w*", r"perpendicula\w+(?:\s+(?:à|al|alla|a)\s+\w+)?",
+              r"(?:これに|シリンダ(?:軸)?に)?(?:垂直|直角)(?:な)?(?:方向)?"),
+        (share * mass * pin * omega**2 * SIN_CRANK, -share * mass * pin * omega**2 * SIN_CRANK),
+        ("edit",), mistakes=_WRONG_ACROSS,
+        only=both(
+            words(r"counter-?weight|counterpoise|balance\s+weight|gegengewicht|contrepoids|contrappes|contrapes|釣り?合いおもり"
+                  r"|カウンタ"),
+            words(r"\bleft\b|remain|residual|unbalanced|übrig|verbleib|\brest\b|restkraft|\breste\b|rimane|\bresta\b|queda|残"),
+        ),
+        unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)|fraction (?:that is )?(?:left|unbalanced)"
+                     r"|restanteil|second|zweite|2次|share left|remains unbalanced is|\bV\b|V-?twin|radial|balance shaft"
+                     r"|ausgleichswelle|バランサ"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(
         "counterweight", letters("m M B G"),
@@ -231,8 +262,7 @@ BALANCE: tuple[Quantity, ...] = (
         unless=words(r"in phase|in step|would be|together|articulated|slave|nebenpleuel|副連接棒"
                      r"|counterweight|gegengewicht|second|zweite"
         r"|2次|rotating mass|\bbanks?\b|(?:two|double|twin)[- ]row|two rows|\bhalf\b|per\s+pair"
-        r"|\bfirst\s+\w+\s+cylinders"
-        ), stated=frozenset({"cylinders"}),
+        r"|\bfirst\s+\w+\s+cylinders", _FORCE_OF_ONE), stated=frozenset({"cylinders"}),
     ),
     Quantity(
         "resultant first-order force of a V-twin at 90°", letters("F P R Z"),

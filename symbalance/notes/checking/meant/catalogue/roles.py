@@ -216,7 +216,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      "1 2 a b A B"),
     ("other_inertia", "J I Theta", r"inertia|trägheitsmoment(?:en?)?|massen|dis[ck]s?|scheiben?"
     r"|慣性モーメント",
-     "1 2 a b A B"),
+     "1 2 a b A B f F"),
     ("decay", "delta sigma alpha", r"decay(?: constant| rate)?|abklingkonstante|abklingkoeffizient"
     r"|減衰定数"),
     ("damping", "d c b r k", r"damping(?: constant| coefficient)?|dämpfungs(?:konstante|koeffizient)"

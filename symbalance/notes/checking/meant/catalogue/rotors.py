@@ -26,6 +26,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     section,
     tuning,
     unbalanced,
+    velocity,
     words,
     young,
 )
@@ -40,15 +41,23 @@ from symbalance.notes.checking.meant.catalogue.vibration_roles import (
     span,
 )
 
-_TURNING = words(r"rotat|spinning|turns?\b|turning|revolv|rotier|umlauf|dreht|drehend|回転")
+_TURNING = words(
+    r"rotat|spinning|\bburst|rim\s+speed|flywheel|schwungrad|umfangsgeschw|tourn|volant|volano|girator|周速|はずみ車|turns?\b|turning|revolv|rotier|umlauf|dreht|drehend|回転"
+)
 _FULL_DISC = words(
     r"(?:solid|full|uniform|flat|thin)\s+(?:\w+\s+){0,2}(?:dis[ck]|cylinder|wheel)",
     r"voll(?:e|en)?\s?scheibe",
     r"scheibe\s+gleicher\s+dicke", r"中実(?:円板|円盤)",
     r"dis[ck]\s+of\s+(?:uniform|constant|equal)\s+thickness",
-    r"一様(?:な)?(?:厚さの)?円板",
+    r"一様(?:な)?(?:厚さの)?円板", r"dis[ck]\s+without\s+(?:a\s+)?(?:hole|bore)", r"scheibe\s+ohne\s+bohrung",
+    r"disque\s+plein", r"disco\s+(?:pieno|macizo|lleno)", r"穴のない円板",
 )  # fmt: skip
 _CENTRAL = density * omega**2 * radius**2
+_BY_SPEED = density * velocity**2
+_WRONG_SHARES = (
+    (3 + poisson) / 4, (3 + poisson) / 16, (3 - poisson) / 8, (1 + 3 * poisson) / 8, (1 - poisson) / 8,
+)  # fmt: skip
+"""What the largest stress of a full disc is taken for: that beside a small hole is twice as large."""
 _MIDDLE = words(
     r"middle", r"\bmid(?:dle|way|span)", r"cent(?:re|er)\b", r"central(?:ly)?", r"mitte|mittig",
     r"中央", r"half\s+way",
@@ -81,15 +90,16 @@ _MEETS = words(
 
 ROTORS: tuple[Quantity, ...] = (
     Quantity(
-        "largest stress of a turning full disc", letters("sigma S"), words(r"stress", r"spannung",
-        r"応力"),
-        ((3 + poisson) / 8 * _CENTRAL,), ("factor", "power", "edit", "part"),
-        mistakes=((3 + poisson) / 4 * _CENTRAL, (3 - poisson) / 8 * _CENTRAL,
-        (1 + 3 * poisson) / 8 * _CENTRAL,
-                  (1 - poisson) / 8 * _CENTRAL, (3 + poisson) / 8 * density * omega**2 * diameter**2),
-        others=((1 - poisson) / 4 * _CENTRAL,), only=both(_TURNING, _FULL_DISC),
-        unless=words(r"\bhole\b|bored|bohrung|gebohrt|hollow|hohl|中空|穴|annul|ring|plane\s+strain|ebener\s+verzerrung"
-                     r"|long\s+cylinder|\brims?\b|am\s+rand|at\s+the\s+edge|外周"),
+"largest stress of a turning full disc", letters("sigma S"), words(r"stress", r"spannung",
+        r"応力", r"contrainte", r"tensione", r"tensión"),
+        ((3 + poisson) / 8 * _CENTRAL, (3 + poisson) / 8 * _BY_SPEED), ("factor", "power", "edit", "part"),
+        mistakes=(*(n * each for n in _WRONG_SHARES for each in (_CENTRAL, _BY_SPEED)),
+                  (3 + poisson) / 8 * density * omega**2 * diameter**2),
+        others=((1 - poisson) / 4 * _CENTRAL, (1 - poisson) / 4 * _BY_SPEED),
+        only=both(_TURNING, _FULL_DISC),
+        unless=words(r"(?<!without\sa\s)(?<!no\s)(?:\bhole\b|\bbore\b(?!\s?[=|:]))|\bbored\b|(?<!ohne\s)(?:bohrung|loch\b)|gebohrt|hollow|hohl"
+                     r"|中空|穴(?!のな|がな|なし)|annul|\bring\b|kreisring|plane\s+strain|ebener\s+verzerrung|forat[oa]|percé"
+                     r"|long\s+cylinder|\brims?\b(?!\s+(?:speed|velocity))|am\s+rand|at\s+the\s+edge|外周(?!速)"),
     ),
     Quantity(
         "critical speed of a disc in the middle of a shaft on two bearings",

@@ -55,14 +55,18 @@ _TWO_DISCS = words(
     r"\b(?:two|both)\s+(?:\w+\s+){0,2}(?:dis[ck]s|rotors?|inertias|flywheels|wheels|masses)",
     r"two[- ](?:mass|rotor|dis[ck]|inertia)", r"free[- ]free",
     r"\b(?:zwei|beiden?)\s+(?:\w+\s+){0,1}(?:scheiben|drehmassen|massen|schwungmassen|rotoren)",
-    r"zweimassen", r"(?:2|二|２)つの(?:円板|ロータ|慣性)|二円板|2円板|两个?(?:圆盘|转子)|двух(?:массов"
+    r"zweimassen", r"dual[- ]mass", r"\bboth\s+(?:halves|ends|sides)\s+(?:are\s+|being\s+)?free",
+    r"\bbeide\s+(?:hälften|enden|seiten)\s+(?:sind\s+)?frei", r"両端自由", r"二慣性系",
+    r"\bdeux\s+(?:disques|volants|inerties|masses)", r"\bdue\s+(?:dischi|volani|inerzie|masse)",
+    r"\bdos\s+(?:discos|volantes|inercias|masas)",
+    r"(?:2|二|２)つの(?:円板|ロータ|慣性)|二円板|2円板|两个?(?:圆盘|转子)|двух(?:массов"
     r"|диск)",
 )  # fmt: skip
 _HELD = words(
     r"clamped|eingespannt|\bfixed\b|rigid(?![- ]body)|starr(?!körper)|固定|\bthree|\bdrei|\b3 "
     r"|(?<!un)damped|(?<!un)gedämpf"
     r"|減衰|pendul|in phase"
-    r"|gear|getriebe|spring of the mount|translat|same (?:side|end)"
+    r"|(?<!neutral )gear(?!box(?:\s+side|\s+end|\s+half)?)|getriebe(?!seit|eingang|ende)|spring of the mount|translat|same (?:side|end)"
 )
 FREQUENCY_WORDS = words(
     NATURAL_WORDS.pattern, r"\bfrequenc(?:y|ies)", r"\bfrequenz", r"振動数", r"固有频率", r"固有角频率",

@@ -50,6 +50,22 @@ NATURAL_WORDS = words(
     r"frequency of (?:the )?(?:free )?(?:torsional )?(?:vibration"
     r"|oscillation)s?",
 )
+_SIDES = "1 2 3 a b A B"
+"""Subscripts of two discs of which neither is said to be the flywheel."""
+_FROM_WHEEL = (
+    r"from\s+(?:the\s+)?(?:fly)?wheel|vo[mn]\s+(?:der\s+)?schwung|(?:フライホイール|はずみ車)(?:側)?(?:の円板)?から"
+    r"|(?:du|depuis\s+le)\s+volant|dal\s+volano|desde\s+el\s+volante"
+)
+_NODE = words(
+    r"(?:position|distance|place)\s+of\s+(?:the|its)\s+node",
+    r"\bnode(?:\s+(?:is|lies|sits|has))?\s+(?:then\s+)?at(?:\s+(?:the|a)\s+distance)?",
+    r"\bnode\s+(?:[\w-]+\s+){0,8}distance",
+    r"lage\s+des\s+(?:schwingungs)?knotens",
+    r"abstand\s+des\s+(?:schwingungs)?knotens",
+    r"\bnode[^.;=]{0,24}?\bfrom\s+(?:the\s+)?(?:\w+[\s-]){0,3}?(?:dis[ck]|side|engine|cylinders?)",
+    r"(?:from|von)\s[^.;=]{0,24}?(?:to|zum?)\s(?:the\s)?(?:node|knoten)",
+    r"節(?:の位置|までの(?:距離|長さ)|は[^。、=]{0,16}から)",
+)
 
 VIBRATION: tuple[Quantity, ...] = (
     Quantity(
@@ -182,18 +198,23 @@ VIBRATION: tuple[Quantity, ...] = (
         r"|revolutions)|gear"),
     ),
     Quantity(
+        "distance of the node from the engine's end of a shaft with a flywheel", letters("a l x s L"), _NODE,
+        (length * other_inertia / (own_inertia + other_inertia),), ("exchange",),
+        mistakes=(shaft_length * other_inertia / own_inertia, shaft_length * own_inertia / other_inertia),
+        subscripts=(("own_inertia", "1 e E m M k K"), ("other_inertia", "f F s S")),
+        only=words(r"(?:from|vo[mn]|depuis|dal|desde)\s+[^.;=]{0,24}?(?:engine|cylinder|motor|zylinder|moteur|cylindre|cilindr)"
+                   r"|(?:気筒|エンジン|機関)側?(?:の?円板)?から"),
+        unless=words(_FROM_WHEEL, r"three|drei|三|3つ"),
+    ),
+    Quantity(
         "distance of the node of two discs", letters("a l x s L"),
-        words(r"(?:position|distance|place)\s+of\s+(?:the|its)\s+node",
-              r"\bnode(?:\s+(?:is|lies|sits|has))?\s+(?:then\s+)?at(?:\s+(?:the|a)\s+distance)?",
-              r"\bnode\s+(?:[\w-]+\s+){0,8}distance",
-              r"lage\s+des\s+(?:schwingungs)?knotens", r"abstand\s+des\s+(?:schwingungs)?knotens",
-              r"節(?:の位置|までの距離)"),
+        _NODE,
         (length * other_inertia / (own_inertia + other_inertia),), ("edit", "exchange"),
         mistakes=(shaft_length * other_inertia / own_inertia, shaft_length * own_inertia / other_inertia,
                   shaft_length * (own_inertia + other_inertia) / other_inertia,
                   shaft_length * other_inertia / (own_inertia - other_inertia)),
-        together=(("", "own_inertia"),),
-        unless=words(r"three|drei|三|3つ|from\s+(?:the\s+)?(?:second|right|dis[ck]\s+\$?[2B])"
+        together=(("", "own_inertia"),), subscripts=(("own_inertia", _SIDES), ("other_inertia", _SIDES)),
+        unless=words(_FROM_WHEEL, r"three|drei|三|3つ|from\s+(?:the\s+)?(?:second|right|dis[ck]\s+\$?[2B])"
                      r"|von\s+(?:der\s+)?(?:zweiten|rechten|scheibe\s+\$?2)"),
     ),
     Quantity(

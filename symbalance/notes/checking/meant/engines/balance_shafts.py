@@ -43,16 +43,18 @@ _HALF = re.compile(
 _OTHERWISE = re.compile(
     r"(?:two|both|pair\s+of|2)\s+(?:[\w-]+\s+){0,2}shafts|shafts\b|wellen\b|\barbres|\balberi\b|\bejes\b"
     r"|[2２二両]\s?本|\btotal\b|together|zusammen|gesamt|insgesamt|合計|合わせ"
-    r"|twice|double|doppelt|zweifach|2\s?倍|[二2]\s?次|ensemble|insieme|second|zweite[rnms]?\s|secondaire|secondo"
-    r"|instead|without|ohne\b|would",
+    r"|twice|double|doppelt|zweifach|2\s?倍|ensemble|insieme|instead|without|ohne\b|would",
     re.IGNORECASE,
 )
 """Words for several shafts, for both weights together, or for twice the speed."""
+_OF_SECOND = re.compile(r"[二2]\s?次|second|zweite[rnms]?\s|secondaire|segund[oa]", re.IGNORECASE)
+"""Words for the second order, which a sentence further up may be about."""
+_BLANK = re.compile(r"\n[^\S\n]*\n")
 _NEAR, _FAR = 420, 900
 """Characters before a formula in which words name the shaft, and in which they say that half is meant."""
 _SPEEDS = frozenset({"omega", "Omega", "w"})
-_WHOLE = (1.0, sqrt(3.0))
-"""What swings over one cylinder's force, or that times the pitch: of one, of a twin, of a three."""
+_WHOLE = (1.0, sqrt(2.0), sqrt(3.0))
+"""What swings over one cylinder's force, or that times the pitch: of one, of a twin, also at 270°, of a three."""
 
 
 def decide_half_of_a_swing(
@@ -83,6 +85,7 @@ def _is_half_said(resultants: EngineResultants, chain: Chain) -> bool:
     floor = sections.start_of_line(sections.section_start(chain.lines[0]))
     near = text[max(floor, chain.start - _NEAR) : chain.start]
     is_of_shaft = _SHAFT.search(near) and _BACKWARDS.search(near) and not _OTHERWISE.search(near)
+    is_of_shaft = is_of_shaft and not _OF_SECOND.search(" ".join(_BLANK.split(near)[-2:]))
     is_half = _HALF.search(text, max(floor, chain.start - _FAR), chain.start)
     return bool(is_of_shaft and is_half)
 

@@ -446,7 +446,7 @@ class BankResultants:
         """Return the refutation of a component with a wrong function of the angle between the banks.
 
         Of a higher order 2 sin A cos 2A sin 2θ comes from no sum or difference of two pistons' forces in
-        any direction; other wrong functions may be one, and are refuted beside a right component only.
+        any direction, nor does 2 sin²A sin 2θ, with the factor of the first order; other wrong functions may be one, and are refuted beside a right component only.
         """
         wrong = [
             place
@@ -455,7 +455,7 @@ class BankResultants:
         ]
         if not wrong or _scale(own, own.wave.function, half):
             return None
-        is_of_nothing = own.order > 1 and usual == 1 and wrong == [_EXCHANGED_BEHIND]
+        is_of_nothing = own.order > 1 and usual == 1 and not {*wrong} - _OF_NOTHING
         if not is_of_nothing and not self._has_sister(chain, own, half, usual, knowledge):
             return None
         return self._refuted(chain, own, "bank", half, text)
@@ -654,21 +654,26 @@ def _scale(own: _Component, function: str, half: float) -> float:
     return round(ratios[0], _PLACES) if all(same(each, ratios[0]) for each in ratios) else 0.0
 
 
-_EXCHANGED_BEHIND = 2
-"""The place among the wrong factors of the one whose second function is another, sin A cos 2A."""
+_OF_NOTHING = frozenset({2, 4, 5})
+"""The places among the wrong factors of sin A cos 2A, sin²A and sin²2A: of a higher order they are no sum's."""
 
 
 def _wrong_factors(own: _Component, half: float) -> list[tuple[float, ...]]:
-    """Return the factors with one of the two functions of the angle left out, or another in its place."""
+    """Return the factors with one of the two functions of the angle left out, or another in its place.
+
+    Of a higher order also with both functions of one angle, as the first order has them.
+    """
     f = cos if own.wave.function == "cos" else sin
     g = sin if own.wave.function == "cos" else cos
     n, angles = own.order, [half * float(angle) for angle in _SAMPLES]
-    return [
+    wrong = [
         tuple(2 * f(a) for a in angles),
         tuple(2 * f(n * a) for a in angles),
         tuple(2 * f(a) * g(n * a) for a in angles),
         tuple(2 * g(a) * f(n * a) for a in angles),
     ]
+    squares = [tuple(2 * f(a) ** 2 for a in angles), tuple(2 * f(n * a) ** 2 for a in angles)]
+    return wrong if n == 1 else wrong + squares
 
 
 def _with_bank_factors(node: Formula, own: _Component, half: float) -> Formula:

@@ -130,6 +130,17 @@ VECTORS = re.compile(
 )
 
 
+OF_ONE = re.compile(
+    r"\b(?:per|each|every|one|single)[\s-]+(?:cylinder|piston|unit|pot)|\bper\s+cyl|a\s+(?:single"
+    r"|lone)\s|of\s+a\s+piston"
+    r"|(?:pro|je|eines|einen|einem|jeder|jedes|jeden)\s+(?:einzelnen\s+)?(?:zylinder|kolben)"
+    r"|einzylinder|einzelne[rnms]?\s"
+    r"|chaque\s+(?:cylindre|piston)|par\s+cylindre|cada\s+(?:cilindro|pist)|por\s+cilindro"
+    r"|ogni\s+cilindro|per\s+cilindro"
+    r"|ciascun|każd\w+\s+cylind|1\s*気筒|各気筒|単気筒|一気筒|of\s+(?:one|the\s+[ijk]-?th)",
+    re.IGNORECASE,
+)
+"""Words of what one cylinder or each of them does."""
 _IN_LINE = re.compile(r"(?<![A-Za-z])(?:in-?line|straight|reihen|[RL]-?[2-8])|直列", re.IGNORECASE)
 """Words in the name of an engine that is no boxer."""
 
@@ -151,6 +162,8 @@ class EngineClaim:
     """Whether no words beside the formula name the order or the engine, but an index or others."""
     is_total: bool = False
     """Whether the formula is a sum over all cylinders, or another term of it is of all of them."""
+    is_declared: bool = False
+    """Whether the symbols file says of the letter what no words beside the formula do."""
     clause: str = ""
     """The sentence from the engine's name on, where that stands before the formula in it."""
 
@@ -241,6 +254,9 @@ class EngineClaims:
         is_inferred = not order or not _fits_index(name, order)
         if is_inferred:
             order, source = self._order_by_index(name, chain), ""
+        declared = self._declared(name, chain) if is_inferred else ""
+        if declared and order in (0, _order_in(declared, name)):
+            order, is_inferred, source = _order_in(declared, name), False, declared
         kind = next((k for w in (before, behind, source) if (k := _kind_in(w, name))), "")
         is_rotating = _ROTATING.search(before) is not None
         if is_rotating and not order:
@@ -264,8 +280,15 @@ class EngineClaims:
         words, is_sum = _plain(source), isinstance(chain.sides[0].node, Summation)
         clause = self._text[max(engine.place, start - _MOST) : end] if engine.place < start else sentence
         return EngineClaim(
-            engine, order, kind, words, own, sentence, around, is_rotating, is_inferred, is_sum, clause
-        )
+            engine, order, kind, words, own, sentence, around, is_rotating, is_inferred, is_sum,
+            bool(declared), clause,
+        )  # fmt: skip
+
+    def _declared(self, name: str, chain: Chain) -> str:
+        """Return what a letter is declared as, if that names an order, and not of one cylinder."""
+        text = without_accuracies(self.words.declarations.symbols_at(chain.lines[0]).get(name, ""))
+        is_of_order = _ORDER_WORD.search(text) is not None and bool(_order_in(text, name))
+        return text if is_of_order and not OF_ONE.search(text) else ""
 
     def _is_of_torque(self, name: str, chain: Chain, words: str) -> bool:
         """Tell whether a letter is said to be a torque, or is one where its section has nothing else."""

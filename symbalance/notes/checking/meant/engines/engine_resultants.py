@@ -37,6 +37,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import (
     COUPLE,
     FORCE,
+    OF_ONE,
     TORQUE,
     VECTORS,
     WHOLE,
@@ -56,6 +57,7 @@ from symbalance.notes.checking.meant.engines.sizes_explained import (
     without_letters_explained,
     without_masses_of_one,
 )
+from symbalance.notes.checking.meant.letter_roles import sign_of
 from symbalance.notes.checking.meant.meant_words import NOBODY, MeantWords
 from symbalance.notes.checking.meant.products import (
     NoProductError,
@@ -98,16 +100,6 @@ _BALANCED = re.compile(
     r"balanc(?:er|ing|e\s+(?:shaft|weight|mass))|lanchester|counter-?(?:weight|balance|rotat)"
     r"|ausgleichs|gegengewicht"
     r"|contrepoids|contrapes|バランサ|バランスシャフト|カウンタ|釣合い?おもり|ウ[ェエ]イトで",
-    re.IGNORECASE,
-)
-_OF_ONE = re.compile(
-    r"\b(?:per|each|every|one|single)[\s-]+(?:cylinder|piston|unit|pot)|\bper\s+cyl|a\s+(?:single"
-    r"|lone)\s|of\s+a\s+piston"
-    r"|(?:pro|je|eines|einen|einem|jeder|jedes|jeden)\s+(?:einzelnen\s+)?(?:zylinder|kolben)"
-    r"|einzylinder|einzelne[rnms]?\s"
-    r"|chaque\s+(?:cylindre|piston)|par\s+cylindre|cada\s+(?:cilindro|pist)|por\s+cilindro"
-    r"|ogni\s+cilindro|per\s+cilindro"
-    r"|ciascun|każd\w+\s+cylind|1\s*気筒|各気筒|単気筒|一気筒|of\s+(?:one|the\s+[ijk]-?th)",
     re.IGNORECASE,
 )
 _TOTAL_MASS = re.compile(
@@ -219,7 +211,7 @@ class EngineResultants:
         if is_second or self._turns_otherwise(value, knowledge):
             return None
         if claim.kind == TORQUE or not names(value):
-            return self._vanishing(head.name, claim, value)
+            return self._vanishing(head.name, claim, value, chain)
         # the formula is of any size: λ = 36.5/125 is still the crank ratio
         formulas = {n: d for n, d in knowledge.definitions.items() if not d.numeric or n == head.name}
         knowledge = replace(knowledge, definitions=formulas)
@@ -401,10 +393,12 @@ class EngineResultants:
 
     def _assumption(self, name: str, claim: EngineClaim) -> str:
         of = "rotating " if claim.is_rotating else ""
-        source = f"taken from the words “{claim.words}”" if claim.words else "by its index and its wave"
+        source = f"{NOBODY}; taken from the words “{claim.words}”" if claim.words else ""
+        source = source or f"{NOBODY}; by its index and its wave"
+        source = f"declared as “{claim.words}”" if claim.is_declared else source
         return (
             f"{plain_letter(name)} is order {claim.order} of the whole engine's {of}{claim.kind}"
-            f" ({NOBODY}; {source})"
+            f" ({source})"
         )
 
     @staticmethod
@@ -415,7 +409,7 @@ class EngineResultants:
         if claim.order > 1:
             yield "the rod is long"
 
-    def _vanishing(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
+    def _vanishing(self, name: str, claim: EngineClaim, value: Formula, chain: Chain) -> Decision | None:
         if claim.kind == TORQUE:
             return self._vanishing_torque(name, claim, value)
         if VECTORS.search(claim.sentence):
@@ -426,10 +420,31 @@ class EngineResultants:
         sizes = claim.sizes()
         if not all(sizes):
             return Decision(PROVED, assumptions=(self._assumption(name, claim), *self._star(claim, 0.0)))
-        if not claim.is_inferred and not _BALANCED.search(claim.around) and not claim.engine.is_boxer:
+        may_accuse = not claim.engine.is_boxer or self._has_other_couple(claim, chain)
+        if not claim.is_inferred and not _BALANCED.search(claim.around) and may_accuse:
             reason = "; ".join((f"if {self._assumption(name, claim)}", *self._star(claim)))
             return Decision(REFUTED, f"{reason}: the {claim.kind}s of order {claim.order} do not cancel")
         return None
+
+    def _has_other_couple(self, claim: EngineClaim, chain: Chain) -> bool:
+        """Tell whether the same section has a couple of another order of the same boxer.
+
+        Its cylinders are set off from each other then: a page that neglects this has no couple at all.
+        """
+        for other in self.words.document.chains:
+            head = other.sides[0].node
+            is_near = other.relations and self.sections.same_section(other.lines[0], chain.lines[0])
+            if (
+                other is chain
+                or not is_near
+                or not isinstance(head, Name)
+                or not names(other.sides[1].node)
+            ):
+                continue
+            of = self.claims.claim(head.name, other)
+            if of is not None and (of.engine.key, of.kind) == (claim.engine.key, COUPLE):
+                return of.order != claim.order
+        return False
 
     def _vanishing_torque(self, name: str, claim: EngineClaim, value: Formula) -> Decision | None:
         """Return the decision on an order of the torque that is said to vanish: each crank has its own.
@@ -494,7 +509,7 @@ class EngineResultants:
             return False
         if slip != "factor":
             return not _OF_ANOTHER.search(sentence)
-        is_part = self._is_of_part(claim)
+        is_part = self._is_of_part(claim, parts.letter.get("base", ""))
         if len(sizes) != 1 or is_part or not self._is_told(parts.letter.get("base", ""), knowledge):
             return False
         number, size = abs(product.number) / first, sizes[0]
@@ -505,14 +520,18 @@ class EngineResultants:
             return not (size or is_of_one)
         return self._is_of_pitch(claim, parts, product.rounding, number, size)
 
-    def _is_of_part(self, claim: EngineClaim) -> bool:
-        """Tell whether words make a formula that of a part or a multiple of what the cylinders do."""
+    def _is_of_part(self, claim: EngineClaim, base: str) -> bool:
+        """Tell whether words make a formula that of a part or a multiple of what the cylinders do.
+
+        Those that only say that the letter of an amplitude, `base`, is one cylinder's do not.
+        """
         own = f"{claim.words} {claim.own} {claim.clause if claim.is_inferred else ''}"
         own = _ALL_OF.get(claim.engine.cylinders, _NONE).sub("", own.replace(claim.engine.words, ""))
         own = without_masses_of_one(without_letters_explained(own))
+        own = _explained(base).sub(" ", own) if base else own
         own = without_balance_to_come(_SPEED.sub("", own))
         around = without_balance_to_come(claim.around)
-        is_part = any(words.search(own) for words in (_PART, _OF_ONE)) or _BALANCED.search(around)
+        is_part = any(words.search(own) for words in (_PART, OF_ONE)) or _BALANCED.search(around)
         is_part = is_part or _SHARE.search(around) is not None
         return bool(is_part) or _TOTAL_MASS.search(self._text) is not None
 
@@ -544,9 +563,11 @@ class EngineResultants:
         """Tell whether a letter for an amplitude is said to be one cylinder's, or there is none."""
         if not base or self.letters.is_inertia_of_one(base, knowledge):
             return True
+        if OF_ONE.search(knowledge.meanings.get(base, "")):
+            return True
         sign = re.compile(rf"(?<![\\A-Za-z_]){re.escape(plain_letter(base))}(?![A-Za-z])")
         places = [m.start() for m in sign.finditer(self._text)]
-        return any(_OF_ONE.search(self._text, max(0, place - 80), place + 80) for place in places)
+        return any(OF_ONE.search(self._text, max(0, place - 80), place + 80) for place in places)
 
     def _is_of_all(self, chain: Chain, claim: EngineClaim, knowledge: Knowledge) -> bool:
         """Tell whether one cylinder's amplitude is said to be the whole engine's.
@@ -556,7 +577,7 @@ class EngineResultants:
         """
         if claim.is_total:
             return True
-        if _OF_ONE.search(without_masses_of_one(self._text)) or _SUMMED.search(self._text):
+        if OF_ONE.search(without_masses_of_one(self._text)) or _SUMMED.search(self._text):
             return False
         head = chain.sides[0].node
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
@@ -622,6 +643,16 @@ class EngineResultants:
         return replace(verdict, fix=fix_of(repair, self.words.document, side))
 
 
+def _explained(name: str) -> re.Pattern[str]:
+    """Return what says that a letter is one cylinder's: $F_2$ is the second-order force of one cylinder."""
+    sign = sign_of(name)
+    return re.compile(
+        rf"(?<![\\A-Za-z_])\$?{sign}\$?(?![A-Za-z_])\s*(?:(?:is|being|ist|est|è|es)\s+|für\s+)?(?:the|die|la|il|le|el)\s"
+        rf"[^$.;:=\n]{{0,60}}?(?:{OF_ONE.pattern})",
+        re.IGNORECASE,
+    )
+
+
 def _sign_of_wave(product: ProductOfPowers) -> int:
     """Return the sign by which a term's cosine stands to the first order's; 0 where it has none."""
     if product.wave is None or product.wave.function != "cos" or not product.number:
@@ -639,4 +670,10 @@ def _is_what_half_a_balance_leaves(claim: EngineClaim) -> bool:
 def _is_of_another_engine(meaning: str, claim: EngineClaim) -> bool:
     """Tell whether a letter's own words name an engine, and none that the page's words claim it of."""
     own = EnginesInWords(meaning).mentions if meaning else []
-    return bool(own) and all(named.key != claim.engine.key for named in own)
+    return bool(own) and not any(_may_be_same(named, claim.engine) for named in own)
+
+
+def _may_be_same(one: NamedEngine, other: NamedEngine) -> bool:
+    """Tell whether two names may be of one engine: a twin's pins may be told by one of them alone."""
+    is_like = (one.cylinders, one.is_boxer) == (other.cylinders, other.is_boxer)
+    return is_like and (one.turn == other.turn or not one.turn or not other.turn)
