@@ -35,6 +35,7 @@ def test_a_number_is_proved_by_numbers(claim):
     [
         "For $\\eta > 2$ we have\n\n$\\frac{1}{1-\\eta^2} \\approx 1 + \\eta^2$",
         "With $x = 3$: $\\sin x \\approx x$",
+        "For large $\\eta$, $\\eta \\gg 1$:\n\n$\\frac{1}{1-\\eta^2} \\approx 1 + \\eta^2$",
         "$q = 5$. $\\sqrt{1 + q} \\approx 1 + q/2$",
     ],
 )

@@ -175,6 +175,7 @@ def prepare(
         with_multiples_in_signs,
         with_rows_of_relations,
         with_systems,
+        with_recurring_decimals,
         with_limits_by_arrows,
         with_memberships,
         with_function_names,

@@ -160,6 +160,10 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
         decision = decide_much_larger(chain, k, knowledge)
         if decision.status == RANGE:
             state.much_larger.append(chain)
+            if isinstance(chain.sides[k + 1].node, Number):  # η ≫ 1 is at least η > 1
+                relations = list(chain.relations)
+                relations[k] = replace(relations[k], sign=PLAIN[relations[k].sign])
+                state.definitions.note_range(replace(chain, relations=tuple(relations)), k, decision)
         return decision
     if case_of_a_letter(state, chain, k, knowledge):
         return Decision(RANGE, "a case, whatever value the letter has above")
