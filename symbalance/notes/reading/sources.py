@@ -59,6 +59,7 @@ from symbalance.notes.reading.spellings.operator_words import with_operator_word
 from symbalance.notes.reading.spellings.places_in_brackets import with_places
 from symbalance.notes.reading.spellings.pointed_units import with_compound_units
 from symbalance.notes.reading.spellings.ranges import with_ranges
+from symbalance.notes.reading.spellings.recurring_decimals import with_recurring_decimals
 from symbalance.notes.reading.spellings.row_vectors import with_row_vectors
 from symbalance.notes.reading.spellings.systems_in_braces import with_rows_of_relations, with_systems
 from symbalance.notes.reading.spellings.tables_of_quantities import with_equations_of_tables

@@ -25,6 +25,7 @@ def with_recurring_decimals(text: str) -> Rewritten | None:
         shift, ring = 10 ** len(first), 10 ** len(again) - 1
         value = Fraction(int(match["whole"])) + Fraction(int(first or 0), shift)
         value += Fraction(int(again), shift * ring)
-        rewriter.replace(match.start(), match.end(), f"\\frac{{{value.numerator}}}{{{value.denominator}}}")
+        above, below = value.numerator, value.denominator
+        rewriter.replace(match.start(), match.end(), f"\\frac{{{above}}}{{{below}}}")
         found = True
     return rewriter.finish() if found else None
