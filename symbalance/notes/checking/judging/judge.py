@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import product
@@ -210,6 +210,35 @@ from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.markup.unit_macros import with_units_shown
 from symbalance.notes.reading.spellings.numerals import with_raised_points_lowered
 from symbalance.text import lazy_patterns as re
+
+_Look = Callable[[JudgingState, Chain, int, Verdict], Verdict]
+_ONE_BY_ONE: tuple[_Look, ...] = (
+    at_crank_angle_in_words,
+    unless_plain_sum,
+    unless_other_ratio,
+    unless_false_zero,
+    unless_zero_as_printed,
+    unless_divided_by_zero,
+    unless_phases_remain,
+    unless_of_one_angle,
+    unless_condition_fails,
+    unless_finer_by_nothing,
+)
+"""What looks at a verdict again, in turn: by the words, places and values around its relation."""
+_LAST: tuple[_Look, ...] = (
+    unless_said_to_vary,
+    unless_of_ended_case,
+    unless_no_extreme,
+    unless_roughly_known,
+    unless_impossible,
+    unless_rate_of_ratio,
+    unless_no_root,
+    unless_wrong_in_list,
+    unless_no_forced_motion,
+    unless_another_polynomial,
+    unless_of_other_words,
+)
+"""What does so once a relation has been read in its case and its row."""
 
 
 @dataclass
@@ -440,32 +469,15 @@ class Judge:
         before, verdict = verdict, with_sizes_in_words(self.state, chain, k, verdict)
         if verdict is not before:
             verdict = by_numbers_spoken_of(self.state, chain, k, verdict, with_sizes)
-        verdict = at_crank_angle_in_words(self.state, chain, k, verdict)
-        verdict = unless_plain_sum(self.state, chain, k, verdict)
-        verdict = unless_other_ratio(self.state, chain, k, verdict)
-        verdict = unless_false_zero(self.state, chain, k, verdict)
-        verdict = unless_zero_as_printed(self.state, chain, k, verdict)
-        verdict = unless_divided_by_zero(self.state, chain, k, verdict)
-        verdict = unless_phases_remain(self.state, chain, k, verdict)
-        verdict = unless_of_one_angle(self.state, chain, k, verdict)
-        verdict = unless_condition_fails(self.state, chain, k, verdict)
-        verdict = unless_finer_by_nothing(self.state, chain, k, verdict)
+        for look in _ONE_BY_ONE:
+            verdict = look(self.state, chain, k, verdict)
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
         if not self.rivals.are_beside(chain):
             verdict = unless_closed(self.state, chain, k, verdict)
-        verdict = unless_said_to_vary(self.state, chain, k, verdict)
-        verdict = unless_of_ended_case(self.state, chain, k, verdict)
-        verdict = unless_no_extreme(self.state, chain, k, verdict)
-        verdict = unless_roughly_known(self.state, chain, k, verdict)
-        verdict = unless_impossible(self.state, chain, k, verdict)
-        verdict = unless_rate_of_ratio(self.state, chain, k, verdict)
-        verdict = unless_no_root(self.state, chain, k, verdict)
-        verdict = unless_wrong_in_list(self.state, chain, k, verdict)
-        verdict = unless_no_forced_motion(self.state, chain, k, verdict)
-        verdict = unless_another_polynomial(self.state, chain, k, verdict)
-        verdict = unless_of_other_words(self.state, chain, k, verdict)
+        for look in _LAST:
+            verdict = look(self.state, chain, k, verdict)
         return self._with_rate_assumed(chain, k, verdict)
 
     def _with_sizes(self, chain: Chain, k: int) -> Verdict:
