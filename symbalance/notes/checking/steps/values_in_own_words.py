@@ -266,6 +266,8 @@ def _given_beside(
         head, value = giver.sides[0].node, giver.sides[1].node
         if not isinstance(head, Name) or head.name not in behind & knowledge.definitions.keys():
             continue
+        if head == chain.sides[0].node:
+            continue  # of the same letter: for 60° d = 60°, for 72° d = 36°
         own = knowledge.definitions[head.name]
         is_above = _place_of(state, knowledge, head.name) < first
         said = ValueSaid({head.name: value}, text[giver.start : giver.end].strip(" $"))
