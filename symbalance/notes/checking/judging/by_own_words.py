@@ -31,7 +31,9 @@ def unless_of_other_words(state: JudgingState, chain: Chain, k: int, verdict: Ve
 
     What is refuted by the lines above may be true by what its words name.
     """
-    if verdict.verdict not in (*PROVED_WORDS, REFUTED) or chain.relations[k].sign not in "=≈":
+    is_plain = verdict.verdict == REFUTED and not verdict.reason  # no fault of units, say
+    is_judged = is_plain or verdict.verdict in PROVED_WORDS
+    if not is_judged or chain.relations[k].sign not in "=≈":
         return verdict
     knowledge = before_it(state, chain, state.knowledge_of(chain, state.knowledge(chain.lines[0])))
     kinds = values_in_own_words(state, chain, k, knowledge)

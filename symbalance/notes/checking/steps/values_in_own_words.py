@@ -40,6 +40,8 @@ from symbalance.text import lazy_patterns as re
 _USUAL_ANGLES = ("theta", "vartheta", "phi", "varphi", "alpha", "psi")
 _COUNTS = ("N", "n", "z", "Z", "i", "n_c", "N_c", "n_z")
 """Letters that count the cylinders on most pages."""
+_MOST = 24
+"""Cylinders of an engine; n = 6500 is its speed."""
 _NEARLY = 0.01
 """By how much a speed as a page rounds it differs from the same speed, 314 from 3000 rpm, at most."""
 _ANGULAR = ("rad/s", "1/s", "s⁻¹")
@@ -264,6 +266,8 @@ def _given_beside(
         head, value = giver.sides[0].node, giver.sides[1].node
         if not isinstance(head, Name) or head.name not in behind & knowledge.definitions.keys():
             continue
+        if head == chain.sides[0].node:
+            continue  # of the same letter: for 60° d = 60°, for 72° d = 36°
         own = knowledge.definitions[head.name]
         is_above = _place_of(state, knowledge, head.name) < first
         said = ValueSaid({head.name: value}, text[giver.start : giver.end].strip(" $"))
@@ -318,6 +322,13 @@ def _speeds(
     for speed in sorted(speeds_of(words.text)):
         said = SizeSaid(f"{speed} rpm", Fraction(speed), "rpm")
         values = letters_of_size(said, names_given, state, knowledge)
+        for name in values:
+            node = knowledge.definitions[name].node
+            size = number_of(node, knowledge)
+            in_units = (speed, speed / 60, pi * speed / 30)
+            if size is not None and any(isclose(float(size), n, rel_tol=_NEARLY) for n in in_units):
+                values = {name: node}  # in whichever unit the page counts it
+                break
         if values:
             yield ValueSaid(values, said.text)
         if rounded := _with_digits_of(state, values, speed, knowledge):
@@ -355,7 +366,7 @@ def _counts(
     text = state.document.text
     for name in sorted(names_given & {*_COUNTS}):
         node = knowledge.definitions[name].node
-        if not isinstance(node, Number) or node.value.denominator != 1:
+        if not isinstance(node, Number) or node.value.denominator != 1 or not 0 < node.value <= _MOST:
             continue
         start, end = node.span
         beside = glossary_of(text).english(

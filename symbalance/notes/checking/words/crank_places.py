@@ -43,7 +43,7 @@ class CrankPlace(NamedTuple):
     words: str
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=64)
 def crank_places(text: str) -> tuple[CrankPlace, ...]:
     """Return the crank angles that the words of a text name, in order.
 

@@ -120,7 +120,7 @@ class NoGlossary(Glossary):
         return words
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=64)
 def glossary_of(text: str) -> Glossary:
     """Return the glossary for the language that a page is written in.
 

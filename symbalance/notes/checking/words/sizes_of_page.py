@@ -92,7 +92,7 @@ def is_called(role: str, meaning: str) -> bool:
     return re.fullmatch(rf"(?:the )?(?:{_NOUNS[role]})", meaning.strip(), re.IGNORECASE) is not None
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=64)
 def sizes_of_page(text: str) -> dict[str, SizeOfPage]:
     """Return the sizes that the words of a page give, each with its one number.
 
