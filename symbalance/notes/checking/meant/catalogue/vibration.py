@@ -198,8 +198,8 @@ VIBRATION: tuple[Quantity, ...] = (
         r"|revolutions)|gear"),
     ),
     Quantity(
-        "distance of the node from the engine's end of a shaft with a flywheel", letters("a l x s L"), _NODE,
-        (length * other_inertia / (own_inertia + other_inertia),), ("exchange",),
+        "distance of the node from the engine's end of a shaft with a flywheel", letters("a l x s L"),
+        _NODE, (length * other_inertia / (own_inertia + other_inertia),), ("exchange",),
         mistakes=(shaft_length * other_inertia / own_inertia, shaft_length * own_inertia / other_inertia),
         subscripts=(("own_inertia", "1 e E m M k K"), ("other_inertia", "f F s S")),
         only=words(r"(?:from|vo[mn]|depuis|dal|desde)\s+[^.;=]{0,24}?(?:engine|cylinder|motor|zylinder|moteur|cylindre|cilindr)"
@@ -214,7 +214,8 @@ VIBRATION: tuple[Quantity, ...] = (
                   shaft_length * (own_inertia + other_inertia) / other_inertia,
                   shaft_length * other_inertia / (own_inertia - other_inertia)),
         together=(("", "own_inertia"),), subscripts=(("own_inertia", _SIDES), ("other_inertia", _SIDES)),
-        unless=words(_FROM_WHEEL, r"three|drei|三|3つ|from\s+(?:the\s+)?(?:second|right|dis[ck]\s+\$?[2B])"
+        unless=words(_FROM_WHEEL, r"three|drei|三|3つ"
+                     r"|from\s+(?:the\s+)?(?:second|right|dis[ck]\s+\$?[2B])"
                      r"|von\s+(?:der\s+)?(?:zweiten|rechten|scheibe\s+\$?2)"),
     ),
     Quantity(
