@@ -39,22 +39,26 @@ THREES = [
 
 @pytest.mark.parametrize(("words", "symbols"), THREES)
 def test_both_couples_of_a_three_are_root_three_of_one_cylinders(words, symbols):
-    page = f"Der Zylinderabstand $b$ beträgt 88 mm. {words}\n\n$$M_1 = \\sqrt3\\,b\\,F_1$$\n\n$$M_2 = FACTOR\\,b\\,F_2$$"
+    page = f"Der Zylinderabstand $b$ beträgt 88 mm. {words}\n\n$$M_1 = \\sqrt3\\,b\\,F_1$$"
+    page = f"{page}\n\n$$M_2 = FACTOR\\,b\\,F_2$$"
     page = page.replace("$$\n\n$$", " , \\qquad ")
     assert last(page.replace("FACTOR", "\\sqrt3"), symbols) == CONDITIONAL
     assert last(page.replace("FACTOR", "\\frac{\\sqrt3}{2}"), symbols) == REFUTED
 
 
 ACROSS = [
-    "A counterweight takes a fraction $k$ of $m$. What is left, along the cylinder ($X$) and across it ($Y$):",
-    "Ein Gegengewicht gleicht den Anteil $k$ von $m$ aus. Es bleibt längs ($X$) und quer dazu ($Y$) ein Rest:",
+    "A counterweight takes a fraction $k$ of $m$. What is left, along the cylinder ($X$) and across it"
+    " ($Y$):",
+    "Ein Gegengewicht gleicht den Anteil $k$ von $m$ aus. Es bleibt längs ($X$) und quer dazu ($Y$) ein"
+    " Rest:",
 ]
 
 
 @pytest.mark.parametrize("words", ACROSS)
 @pytest.mark.parametrize("sign", ["", "-"])
 def test_across_the_cylinder_the_counterweight_acts_with_its_share(words, sign):
-    page = f"{words}\n\n$$X = (1-k)\\,m r\\omega^2\\cos\\theta$$\n\n$$Y = {sign}SHARE\\,m r\\omega^2\\sin\\theta$$"
+    page = f"{words}\n\n$$X = (1-k)\\,m r\\omega^2\\cos\\theta$$\n\n"
+    page = f"{page}$$Y = {sign}SHARE\\,m r\\omega^2\\sin\\theta$$"
     assert last(page.replace("SHARE", "k")) == CONDITIONAL
     assert last(page.replace("SHARE", "(1-k)")) == REFUTED
 
@@ -103,9 +107,11 @@ def test_a_boxer_whose_stagger_is_neglected_has_none():
 
 
 TWINS = [
-    "The first order of both pistons of the 270° twin is $R = \\sqrt2 m r\\omega^2\\cos(\\theta - 45^\\circ)$. Half of"
-    " it is taken by the crank's weights; one balance shaft that counter-rotates takes the rest:",
-    "Il primo ordine del bicilindrico a 270° è $R = \\sqrt2 m r\\omega^2\\cos(\\theta - 45^\\circ)$. La metà la"
+    "The first order of both pistons of the 270° twin is"
+    " $R = \\sqrt2 m r\\omega^2\\cos(\\theta - 45^\\circ)$."
+    " Half of it is taken by the crank's weights; one balance shaft that counter-rotates takes the rest:",
+    "Il primo ordine del bicilindrico a 270° è"
+    " $R = \\sqrt2 m r\\omega^2\\cos(\\theta - 45^\\circ)$. La metà la"
     " tolgo con i contrappesi, il resto con un contralbero controrotante:",
 ]
 

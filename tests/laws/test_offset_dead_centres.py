@@ -9,7 +9,7 @@ from symbalance.notes.checking.verdicts import CONDITIONAL, DEFINITION, PREMISE,
 
 PAGES = [
     "The cylinder is offset by $c$ (désaxé). The dead centres are where crank and rod lie on one line:",
-    "Der Kurbeltrieb ist um $c$ geschränkt. In den Totpunkten liegen Kurbel und Pleuel auf einer Geraden:",
+    "Der Kurbeltrieb ist um $c$ geschränkt. In den Totpunkten sind Kurbel und Pleuel auf einer Geraden:",
     "La manivelle est désaxée de $c$. Aux points morts la bielle et la manivelle sont alignées :",
     "Il manovellismo è disassato di $c$. Nei punti morti biella e manovella sono allineate:",
     "オフセット $c$ のあるクランクの死点では",

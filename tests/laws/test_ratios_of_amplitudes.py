@@ -9,13 +9,15 @@ from symbalance.notes.checking.verdicts import CONDITIONAL, PROVED_WORDS, REFUTE
 
 PAGES = [
     (
-        "$X = 2F\\cos^2\\frac{\\gamma}{2}\\cos\\theta$ and $Y = 2F\\sin^2\\frac{\\gamma}{2}\\sin\\theta$.\n\n"
+        "$X = 2F\\cos^2\\frac{\\gamma}{2}\\cos\\theta$ and"
+        " $Y = 2F\\sin^2\\frac{\\gamma}{2}\\sin\\theta$.\n\n"
         "The axes are in the ratio\n\n$$\\frac{X_{\\max}}{Y_{\\max}} = RATIO$$",
         ("\\cot^2\\frac{\\gamma}{2}", "\\frac{\\cos^2(\\gamma/2)}{\\sin^2(\\gamma/2)}"),
         ("\\cot\\frac{\\gamma}{2}", "\\tan^2\\frac{\\gamma}{2}"),
     ),
     (
-        "Die Kräfte sind $F_1 = m r\\omega^2\\cos\\varphi$ und $F_2 = \\lambda m r\\omega^2\\cos 2\\varphi$."
+        "Die Kräfte sind $F_1 = m r\\omega^2\\cos\\varphi$ und"
+        " $F_2 = \\lambda m r\\omega^2\\cos 2\\varphi$."
         " Es ist $\\hat F_2/\\hat F_1 = RATIO$.",
         ("\\lambda",),
         ("2\\lambda", "\\lambda^2", "\\frac{1}{\\lambda}"),
