@@ -1,4 +1,4 @@
-r"""A bar over a formula of a turning angle is its mean over a turn; on a page with i it is the conjugate."""
+r"""A bar over a formula of a turning angle is its mean over a turn, on a page with i the conjugate."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from symbalance.notes.checking.verdicts import DEFINITION, PROVED_WORDS, REFUTED
 
 RIGHT = [
     r"\overline{\sin^2\varphi} = \frac12",
-    r"\overline{\left(\sin\varphi+\tfrac{\lambda}{2}\sin 2\varphi\right)^2} = \frac12+\frac{\lambda^2}{8}",
+    r"\overline{\left(\sin\psi+\tfrac{\lambda}{2}\sin 2\psi\right)^2} = \frac12+\frac{\lambda^2}{8}",
     r"\overline{\left(\cos\theta+\lambda\cos 2\theta\right)^2} = \frac12+\frac{\lambda^2}{2}",
     r"\bar{\sin\alpha} = 0",
     r"\overline{\sin\psi\cos\psi} = 0",
@@ -18,7 +18,7 @@ RIGHT = [
 ]
 WRONG = [
     r"\overline{\sin^2\varphi} = \frac14",
-    r"\overline{\left(\sin\varphi+\tfrac{\lambda}{2}\sin 2\varphi\right)^2} = \frac12+\frac{\lambda^2}{4}",
+    r"\overline{\left(\sin\psi+\tfrac{\lambda}{2}\sin 2\psi\right)^2} = \frac12+\frac{\lambda^2}{4}",
     r"\overline{\left(\cos\theta+\lambda\cos 2\theta\right)^2} = 1+\lambda^2",
     r"\overline{\sin\psi\cos\psi} = \frac12",
     r"\overline{\cos^2\omega t} = 1",
@@ -50,7 +50,8 @@ def test_another_mean_is_refuted(formula):
 
 @pytest.mark.parametrize("lead", LEADS)
 def test_the_mean_of_a_square_is_that_of_its_formula_where_words_call_it_a_mean(lead):
-    page = f"$v = r\\omega\\sin\\varphi$.\n\n{lead}\n\n$$\\overline{{v^2}} = \\frac{{r^2\\omega^2}}{{VALUE}}$$\n"
+    page = f"$v = r\\omega\\sin\\varphi$.\n\n{lead}\n\n"
+    page += "$$\\overline{v^2} = \\frac{r^2\\omega^2}{VALUE}$$\n"
     assert last(page.replace("VALUE", "2")) in PROVED_WORDS
     assert last(page.replace("VALUE", "4")) == REFUTED
 

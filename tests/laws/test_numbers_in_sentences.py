@@ -46,6 +46,7 @@ def test_a_largest_or_a_mean_value_is_not_the_letters(words):
 
 
 def test_a_size_with_its_unit_counts_too():
-    page = "With $r = 40$ mm, $V = 2 r A$.\n\nIn the other engine the radius $r$ is 45 mm, so $2r = VALUE$ mm."
+    page = "With $r = 40$ mm, $V = 2 r A$.\n\nIn the other engine the radius $r$ is 45 mm,"
+    page += " so $2r = VALUE$ mm."
     assert last(page.replace("VALUE", "90")) in PROVED_WORDS
     assert last(page.replace("VALUE", "80")) not in PROVED_WORDS

@@ -26,7 +26,7 @@ from symbalance.notes.reading.letters.macro_letters import letter_in
 def by_numbers_in_sentence(
     state: JudgingState, chain: Chain, k: int, verdict: Verdict, again: Callable[[], Verdict]
 ) -> Verdict:
-    """Return a verdict that rests on the numbers which the words of a relation's sentence give letters."""
+    """Return a verdict that rests on the numbers that a relation's own sentence gives letters."""
     if verdict.verdict not in (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED):
         return verdict
     said = {

@@ -70,9 +70,6 @@ def unless_open(
         return as_rod_angle
     letters_here = names(left) | names(right)
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
-    free -= {
-        name for name, each in knowledge.definitions.items() if each.numeric
-    }  # by a sentence or a table
     reason = ""
     unknown = [name for name in state.not_judged if name in letters_here]
     condition = state.definitions.condition_behind(decision, line)
@@ -166,9 +163,6 @@ def _one_sided_letter(
         shared = names(left) & names(right)
         both |= {name for own in shared for name in (own, *names_behind(Name(own), nodes))}
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
-    free -= {
-        name for name, each in knowledge.definitions.items() if each.numeric
-    }  # by a sentence or a table
     free -= state.motions.letters(line)
     unlike = set(letters(decision.left)) ^ set(letters(decision.right))
     if decision.expanded_in and chain.relations[k].sign == "=":
@@ -201,9 +195,6 @@ def _one_sided_by_value(
 ) -> str:
     """Return such a letter of sides that were compared by values alone: they have other roots."""
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
-    free -= {
-        name for name, each in knowledge.definitions.items() if each.numeric
-    }  # by a sentence or a table
     for name in sorted(_ends_behind(left, knowledge) ^ _ends_behind(right, knowledge)):
         if (
             name in free

@@ -1,7 +1,7 @@
-"""Dead centres of an offset crank: θ_T = arcsin(e/(l + r)) stretched, θ_B = 180° + arcsin(e/(l - r)) folded.
+"""Dead centres of an offset crank: θ_T = arcsin(e/(l + r)), and θ_B = 180° + arcsin(e/(l - r)).
 
-There crank and rod lie on one line through the piston pin, which is e beside the crank's centre: that line
-is l + r long where they are stretched, and l - r where they are folded.
+There crank and rod lie on one line through the piston pin, which is e beside the crank's centre. It is
+l + r long where they are stretched, and l - r where they are folded.
 """
 
 from __future__ import annotations
@@ -30,7 +30,8 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
 _OFFSET = re.compile(
-    r"(?<!no )(?<!without )\boffset|d[eé]sax|(?<!un)(?<!nicht )geschränkt|schränkung|desas|dé[sp]ort|オフセット|片寄り|excéntric\w*"
+    r"(?<!no )(?<!without )\boffset|d[eé]sax|(?<!un)(?<!nicht )geschränkt|schränkung|desas|dé[sp]ort"
+    r"|オフセット|片寄り|excéntric\w*"
     r"|descentrad|disassat",
     re.IGNORECASE,
 )
@@ -42,7 +43,7 @@ _DEAD = re.compile(
 _BOTTOM = re.compile(r"(?:b|B|BDC|UT|u|U|PMB|PMI|bot|bottom|unten|2|II)")
 _TOP = re.compile(r"(?:t|T|TDC|OT|o|O|PMH|PMS|top|oben|1|I)")
 _FOLDED = re.compile(r"\bfolded|decklage|\brepli|piegat|plegad", re.IGNORECASE)
-_STRETCHED = re.compile(r"\bstretched|\bextended|strecklage|\balign|\btes[ei]\b|estirad", re.IGNORECASE)
+_STRETCHED = re.compile(r"\bstretched|\bextended|strecklage|\btes[ei]\b|estirad", re.IGNORECASE)
 _NEAR = 500
 """Characters before a formula in which words speak of an offset crank's dead centres."""
 _CLAUSE = 80

@@ -66,7 +66,22 @@ def define_anew(
 ) -> Decision | None:
     """Return the decision on another value of a defined letter: a new case, a condition, or None."""
     by_case = None if k else _of_its_own_case(definitions, name, value, chain, knowledge)
+    by_case = by_case or (None if k else _as_other_angle(definitions, name, value, chain, knowledge))
     return by_case or _define_anew(definitions, name, value, chain, k, knowledge)
+
+
+def _as_other_angle(
+    definitions: Definitions, name: str, value: Formula, chain: Chain, knowledge: Knowledge
+) -> Decision | None:
+    """Return that an angle which an equation above forbids is another engine's, for γ = 52°."""
+    line = chain.lines[0]
+    by_case = case_of_angle(definitions, name, value, chain)
+    if by_case is None or by_case.status != PREMISE:
+        return None
+    if not is_refused(decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)):
+        return None
+    definitions.define(name, value, chain, definitions.sections.case_end(line))
+    return by_case
 
 
 def _define_anew(
@@ -82,11 +97,6 @@ def _define_anew(
         return Decision(DEFINITION, other)
     by_premises = decide_by_premises(definitions, Premise(Name(name), value, line), knowledge)
     is_apart = _is_of_another_section(definitions, earlier, value, chain, knowledge)
-    if not k and is_refused(by_premises):
-        by_case = case_of_angle(definitions, name, value, chain)
-        if by_case is not None and by_case.status == PREMISE:
-            definitions.define(name, value, chain, definitions.sections.case_end(line))
-            return by_case
     if by_premises is not None and not is_apart:
         outside = outside_range(definitions, name, value, line, knowledge)
         if by_premises.status == PREMISE and outside is None:

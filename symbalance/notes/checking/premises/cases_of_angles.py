@@ -1,8 +1,8 @@
 """An angle's value in a sentence, "at θ = 90° the force is": a case, whatever it was solved for before.
 
 An equation further up, cos θ = 0.2247 for the largest speed, fixes the angle where that was asked for. It
-says nothing of the next example, or of what stands in a later paragraph. Nor does 360° - γ = 315°, said of
-one V-twin, of the next: for γ = 52°.
+says nothing of the next example, or of what stands in a later paragraph. Nor does 360° - γ = 315°, of one
+V-twin, say anything of the next: for γ = 52°.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def case_of_angle(definitions: Definitions, name: str, value: Formula, chain: Ch
     nodes = [node for p in premises for node in (p.left, p.right)]
     is_angle = any(part == Constant("pi") for part in walk(value))  # 52°, of γ in 360° - γ = 315°
     is_angle = is_angle or any(name in letters_in_waves(node) for node in nodes)
-    if names(value) or not chain.inline or not is_angle:
+    if not premises or names(value) or not chain.inline or not is_angle:
         return None
     if sections.is_consequence(chain):
         return None

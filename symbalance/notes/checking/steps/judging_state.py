@@ -127,6 +127,8 @@ class JudgingState:
         default_factory=dict, init=False
     )
     """What declared letters stand for, by the declarations that hold at a line."""
+    solved_angles: dict[int, Decision] = field(default_factory=dict, init=False)
+    """Where an angle stands that solves the equation before it, though it had another value above."""
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
@@ -178,8 +180,6 @@ class JudgingState:
         """Places of the solutions of balances, which are wrong where they do not satisfy them."""
         self.wrong_angles: dict[int, Decision] = {}
         """Where an angle stands that is said to solve the equation before it, and does not."""
-        self.solved_angles: dict[int, Decision] = {}
-        """Where an angle stands that solves the equation before it, though it had another value above."""
         self.turned = self.sections.running.letters
         self.general: frozenset[str] = frozenset()
         """Letters of all of whose values the relation in hand is claimed, whatever case stands before."""

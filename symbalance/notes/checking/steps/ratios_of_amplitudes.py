@@ -1,4 +1,4 @@
-"""Ratios of largest values: X_max/Y_max, where X = 2 F cos²(γ/2) cos θ and Y = 2 F sin²(γ/2) sin θ stand above.
+"""Ratios of largest values: X_max/Y_max of X = 2 F cos²(γ/2) cos θ and Y = 2 F sin²(γ/2) sin θ above.
 
 Each of the two is the amplitude of its wave, so that their ratio is cot²(γ/2), and not cot(γ/2).
 """
@@ -80,7 +80,7 @@ def _amplitude(state: JudgingState, chain: Chain, part: Name) -> Formula | None:
 
 
 def _without_wave(node: Formula) -> Formula | None:
-    """Return a product without its last sine or cosine; None where that is not its only one of its angle."""
+    """Return a product without its last sine or cosine; None where its angle stands elsewhere too."""
     bare = node.operand if isinstance(node, Negative) else node
     if not isinstance(bare, Product):
         return None

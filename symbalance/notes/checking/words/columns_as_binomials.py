@@ -1,7 +1,7 @@
 r"""A column written \binom{a}{b}: short for a vector of two components, and no binomial coefficient.
 
-No coefficient has a negative number below, or a sine: where a page has such a one, or where a letter with an
-arrow is one, all of the page are columns.
+No coefficient has a negative number below, or a sine: where a page has such a one, or a letter with an
+arrow that is one, all of the page are columns.
 """
 
 from __future__ import annotations

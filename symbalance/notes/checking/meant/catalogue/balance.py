@@ -181,8 +181,9 @@ BALANCE: tuple[Quantity, ...] = (
                   r"|カウンタ"),
             words(r"\bleft\b|remain|residual|unbalanced|übrig|verbleib|\brest\b|restkraft|\breste\b|rimane|\bresta\b|queda|残"),
         ),
-        unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)|fraction (?:that is )?(?:left|unbalanced)"
-                     r"|restanteil|second|zweite|2次|share left|remains unbalanced is|\bV\b|V-?twin|radial|balance shaft"
+        unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)"
+                     r"|fraction (?:that is )?(?:left|unbalanced)|restanteil|second|zweite|2次|share left"
+                     r"|remains unbalanced is|\bV\b|V-?twin|radial|balance shaft"
                      r"|ausgleichswelle|バランサ"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(

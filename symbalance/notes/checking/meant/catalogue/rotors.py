@@ -49,7 +49,8 @@ _FULL_DISC = words(
     r"voll(?:e|en)?\s?scheibe",
     r"scheibe\s+gleicher\s+dicke", r"中実(?:円板|円盤)",
     r"dis[ck]\s+of\s+(?:uniform|constant|equal)\s+thickness",
-    r"一様(?:な)?(?:厚さの)?円板", r"dis[ck]\s+without\s+(?:a\s+)?(?:hole|bore)", r"scheibe\s+ohne\s+bohrung",
+    r"一様(?:な)?(?:厚さの)?円板",
+    r"dis[ck]\s+without\s+(?:a\s+)?(?:hole|bore)", r"scheibe\s+ohne\s+bohrung",
     r"disque\s+plein", r"disco\s+(?:pieno|macizo|lleno)", r"穴のない円板",
 )  # fmt: skip
 _CENTRAL = density * omega**2 * radius**2
@@ -92,7 +93,8 @@ ROTORS: tuple[Quantity, ...] = (
     Quantity(
 "largest stress of a turning full disc", letters("sigma S"), words(r"stress", r"spannung",
         r"応力", r"contrainte", r"tensione", r"tensión"),
-        ((3 + poisson) / 8 * _CENTRAL, (3 + poisson) / 8 * _BY_SPEED), ("factor", "power", "edit", "part"),
+        ((3 + poisson) / 8 * _CENTRAL, (3 + poisson) / 8 * _BY_SPEED),
+        ("factor", "power", "edit", "part"),
         mistakes=(*(n * each for n in _WRONG_SHARES for each in (_CENTRAL, _BY_SPEED)),
                   (3 + poisson) / 8 * density * omega**2 * diameter**2),
         others=((1 - poisson) / 4 * _CENTRAL, (1 - poisson) / 4 * _BY_SPEED),

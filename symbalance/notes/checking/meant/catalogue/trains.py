@@ -66,7 +66,8 @@ _HELD = words(
     r"clamped|eingespannt|\bfixed\b|rigid(?![- ]body)|starr(?!körper)|固定|\bthree|\bdrei|\b3 "
     r"|(?<!un)damped|(?<!un)gedämpf"
     r"|減衰|pendul|in phase"
-    r"|(?<!neutral )gear(?!box(?:\s+side|\s+end|\s+half)?)|getriebe(?!seit|eingang|ende)|spring of the mount|translat|same (?:side|end)"
+    r"|(?<!neutral )gear(?!box(?:\s+side|\s+end|\s+half)?)|getriebe(?!seit|eingang|ende)"
+    r"|spring of the mount|translat|same (?:side|end)"
 )
 FREQUENCY_WORDS = words(
     NATURAL_WORDS.pattern, r"\bfrequenc(?:y|ies)", r"\bfrequenz", r"振動数", r"固有频率", r"固有角频率",

@@ -51,7 +51,7 @@ NATURAL_WORDS = words(
     r"|oscillation)s?",
 )
 _SIDES = "1 2 3 a b A B"
-"""Subscripts of two discs of which neither is said to be the flywheel."""
+"""Subscripts of two discs, where none says which of them is the flywheel."""
 _FROM_WHEEL = (
     r"from\s+(?:the\s+)?(?:fly)?wheel|vo[mn]\s+(?:der\s+)?schwung|(?:フライホイール|はずみ車)(?:側)?(?:の円板)?から"
     r"|(?:du|depuis\s+le)\s+volant|dal\s+volano|desde\s+el\s+volante"
@@ -198,23 +198,16 @@ VIBRATION: tuple[Quantity, ...] = (
         r"|revolutions)|gear"),
     ),
     Quantity(
-        "distance of the node from the engine's end of a shaft with a flywheel", letters("a l x s L"), _NODE,
-        (length * other_inertia / (own_inertia + other_inertia),), ("exchange",),
-        mistakes=(shaft_length * other_inertia / own_inertia, shaft_length * own_inertia / other_inertia),
-        subscripts=(("own_inertia", "1 e E m M k K"), ("other_inertia", "f F s S")),
-        only=words(r"(?:from|vo[mn]|depuis|dal|desde)\s+[^.;=]{0,24}?(?:engine|cylinder|motor|zylinder|moteur|cylindre|cilindr)"
-                   r"|(?:気筒|エンジン|機関)側?(?:の?円板)?から"),
-        unless=words(_FROM_WHEEL, r"three|drei|三|3つ"),
-    ),
-    Quantity(
         "distance of the node of two discs", letters("a l x s L"),
         _NODE,
         (length * other_inertia / (own_inertia + other_inertia),), ("edit", "exchange"),
         mistakes=(shaft_length * other_inertia / own_inertia, shaft_length * own_inertia / other_inertia,
                   shaft_length * (own_inertia + other_inertia) / other_inertia,
                   shaft_length * other_inertia / (own_inertia - other_inertia)),
-        together=(("", "own_inertia"),), subscripts=(("own_inertia", _SIDES), ("other_inertia", _SIDES)),
-        unless=words(_FROM_WHEEL, r"three|drei|三|3つ|from\s+(?:the\s+)?(?:second|right|dis[ck]\s+\$?[2B])"
+        together=(("", "own_inertia"),),
+        subscripts=(("own_inertia", f"{_SIDES} e E m M k K"), ("other_inertia", f"{_SIDES} f F s S")),
+        unless=words(_FROM_WHEEL, r"three|drei|三|3つ"
+                     r"|from\s+(?:the\s+)?(?:second|right|dis[ck]\s+\$?[2B])"
                      r"|von\s+(?:der\s+)?(?:zweiten|rechten|scheibe\s+\$?2)"),
     ),
     Quantity(

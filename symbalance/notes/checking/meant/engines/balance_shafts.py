@@ -54,7 +54,7 @@ _NEAR, _FAR = 420, 900
 """Characters before a formula in which words name the shaft, and in which they say that half is meant."""
 _SPEEDS = frozenset({"omega", "Omega", "w"})
 _WHOLE = (1.0, sqrt(2.0), sqrt(3.0))
-"""What swings over one cylinder's force, or that times the pitch: of one, of a twin, also at 270°, of a three."""
+"""What swings over one cylinder's force, or that times the pitch: of one, a twin, a three."""
 
 
 def decide_half_of_a_swing(

@@ -446,7 +446,8 @@ class BankResultants:
         """Return the refutation of a component with a wrong function of the angle between the banks.
 
         Of a higher order 2 sin A cos 2A sin 2θ comes from no sum or difference of two pistons' forces in
-        any direction, nor does 2 sin²A sin 2θ, with the factor of the first order; other wrong functions may be one, and are refuted beside a right component only.
+        any direction, nor does 2 sin²A sin 2θ, with the factor of the first order; other wrong functions
+        may be one, and are refuted beside a right component only.
         """
         wrong = [
             place
@@ -655,7 +656,7 @@ def _scale(own: _Component, function: str, half: float) -> float:
 
 
 _OF_NOTHING = frozenset({2, 4, 5})
-"""The places among the wrong factors of sin A cos 2A, sin²A and sin²2A: of a higher order they are no sum's."""
+"""Places among the wrong factors of sin A cos 2A, sin²A, sin²2A: of a higher order no sum has them."""
 
 
 def _wrong_factors(own: _Component, half: float) -> list[tuple[float, ...]]:

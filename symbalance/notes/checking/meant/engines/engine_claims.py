@@ -254,9 +254,9 @@ class EngineClaims:
         is_inferred = not order or not _fits_index(name, order)
         if is_inferred:
             order, source = self._order_by_index(name, chain), ""
-        declared = self._declared(name, chain) if is_inferred else ""
-        if declared and order in (0, _order_in(declared, name)):
-            order, is_inferred, source = _order_in(declared, name), False, declared
+        declared = self._declared(name, chain, order) if is_inferred else ""
+        order, is_inferred = _order_in(declared, name) or order, is_inferred and not declared
+        source = declared or source
         kind = next((k for w in (before, behind, source) if (k := _kind_in(w, name))), "")
         is_rotating = _ROTATING.search(before) is not None
         if is_rotating and not order:
@@ -284,10 +284,14 @@ class EngineClaims:
             bool(declared), clause,
         )  # fmt: skip
 
-    def _declared(self, name: str, chain: Chain) -> str:
-        """Return what a letter is declared as, if that names an order, and not of one cylinder."""
+    def _declared(self, name: str, chain: Chain, order: int) -> str:
+        """Return what a letter is declared as, if that names an order, and not of one cylinder.
+
+        The order of its index has to be the same.
+        """
         text = without_accuracies(self.words.declarations.symbols_at(chain.lines[0]).get(name, ""))
         is_of_order = _ORDER_WORD.search(text) is not None and bool(_order_in(text, name))
+        is_of_order = is_of_order and order in (0, _order_in(text, name))
         return text if is_of_order and not OF_ONE.search(text) else ""
 
     def _is_of_torque(self, name: str, chain: Chain, words: str) -> bool:

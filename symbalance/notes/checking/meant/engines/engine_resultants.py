@@ -644,7 +644,7 @@ class EngineResultants:
 
 
 def _explained(name: str) -> re.Pattern[str]:
-    """Return what says that a letter is one cylinder's: $F_2$ is the second-order force of one cylinder."""
+    """Return what says that a letter is one cylinder's: $F_2$ is the force of one cylinder."""
     sign = sign_of(name)
     return re.compile(
         rf"(?<![\\A-Za-z_])\$?{sign}\$?(?![A-Za-z_])\s*(?:(?:is|being|ist|est|è|es)\s+|für\s+)?(?:the|die|la|il|le|el)\s"
