@@ -389,6 +389,7 @@ BALANCE = {
     ],
     "residual force along the line of stroke": [(WHEEL, LEFT.real)],
     "residual force across the line of stroke": [(WHEEL, LEFT.imag), (WHEEL, -LEFT.imag)],
+    "force that a counterweight leaves across the cylinder": [(WHEEL, LEFT.imag), (WHEEL, -LEFT.imag)],
     "counterweight": [
         (WHEEL, NEEDED / 0.05), ({**WHEEL, "mass": F(19, 5)}, NEEDED / 0.05),
         ({**WHEEL, "mass": F(19, 3)}, NEEDED / 0.05), ({**WHEEL, "reciprocating": F(18, 5)},

@@ -148,7 +148,9 @@ VIBRATIONS = {
     "stiffness of two shafts over a gear": [(PAIR, FAST), (PAIR, SLOW)],
     "stiffness of a shaft and a faster one over a gear": [(PAIR, FAST)],
     "torque behind a junction of two branches": [(JUNCTION, REACHED)],
-    "largest stress of a turning full disc": [(DISC, AT_CENTRE)],
+    "largest stress of a turning full disc": [
+        ({**DISC, "velocity": DISC["omega"] * DISC["radius"]}, AT_CENTRE)
+    ],
     "critical speed of a disc in the middle of a shaft on two bearings": [
         (BEAM, 1 / mp.sqrt(40 * sag(mpf("0.6"))))
     ],
