@@ -52,3 +52,9 @@ def test_turns_are_no_radians(first, second):
 )
 def test_what_is_converted_holds(first, second):
     assert check(f"{first}.\n\nHence {second}.").verdicts[-1].verdict in PROVED
+
+
+@pytest.mark.parametrize("unit", ["N", "s$^{-2}$", "rad/s"])
+def test_a_sum_of_powers_of_ten_has_no_unit_of_its_own(unit):
+    page = f"$1.545\\times10^6 + 2.963\\times10^5 = 1.841\\times10^6$ {unit}"
+    assert check(page).verdicts[-1].verdict in PROVED

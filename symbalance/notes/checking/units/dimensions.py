@@ -400,6 +400,8 @@ class Dimensions:
             unit = "gn"
         if has_number and (alone or not is_number):
             return ""
+        if _is_scientific(node):
+            return unit if unit[:1].isalpha() else ""
         is_unit = unit[:1].isalpha() if is_number else unit_of(unit) is not None
         return unit if is_unit or (has_number and unit) else ""
 
