@@ -992,6 +992,11 @@ class Judge:
             symbols = {**symbols, "g": GRAVITY_UNIT}
             values = {name: value for name, value in values.items() if name != "g"}
         rounded = {n: d.rounded for n, d in knowledge.definitions.items() if d.rounded is not None}
+        for name in knowledge.definitions.keys() & self.state.definitions.values.keys() - rounded.keys():
+            numbers = [e.definition.node for e in self.state.definitions.values[name]]
+            numbers = [node for node in numbers if not names(node)]
+            if numbers and names(knowledge.definitions[name].node):  # T = 0.72 s, then a formula of T
+                rounded[name] = numbers[-1]
         plain = self._plain_letters.at(chain.lines[0])
         return Dimensions(symbols, values, self.document.text, rounded, plain)
 

@@ -312,7 +312,11 @@ def _angles(
 def _speeds(
     state: JudgingState, chain: Chain, words: _Words, names_given: set[str], knowledge: Knowledge
 ) -> Iterator[ValueSaid]:
-    """Yield what the engine speeds in words give n and ω: at 6000 rpm, bei 600 rad/s."""
+    """Yield what the engine speeds in words give n and ω: at 6000 rpm, bei 600 rad/s.
+
+    A letter with an index that has none of the page's speeds is a natural frequency, or of a mode.
+    """
+    names_given = {n for n in names_given if not _is_of_a_mode(state, n, knowledge)}
     for name in names_given:
         typed = [
             e.definition for e in state.definitions.values.get(name, ()) if e.definition.node.span[1]
@@ -337,6 +341,12 @@ def _speeds(
     for said in sizes_in_words(words.text) if turning else ():
         if said.unit in _ANGULAR:
             yield ValueSaid({n: Number(said.number) for n in turning}, said.text)
+
+
+def _is_of_a_mode(state: JudgingState, name: str, knowledge: Knowledge) -> bool:
+    size = number_of(knowledge.definitions[name].node, knowledge) if "_" in name else None
+    turns = [pi * other / 30 for other in state.speeds] + [other / 60 for other in state.speeds]
+    return size is not None and not any(isclose(float(size), n, rel_tol=_NEARLY) for n in turns)
 
 
 def _with_digits_of(
