@@ -198,7 +198,7 @@ def _words_of(state: JudgingState, chain: Chain) -> Iterator[_Words]:
         if not sentence.strip(" \t\n$\\([{&"):
             sentence = sections.sentence_leading_to(chain)
             sentence = "" if sentence.rstrip().endswith(_ENDS) else sentence
-        start = chain.start - len(sentence)
+        start = text.rfind(sentence, 0, chain.start)  # marks of a formula may stand behind it
         behind = _BEHIND.match(text, chain.end)
         if behind is not None:
             yield _Words(f"at {behind['words']}", start)
@@ -211,7 +211,7 @@ def _words_of(state: JudgingState, chain: Chain) -> Iterator[_Words]:
 def _without_formulas(state: JudgingState, start: int, end: int, chain: Chain) -> str:
     """Return a part of the page in English, with a sign for each of its relations."""
     words, place = list[str](), start
-    for other in state.sections.chains_behind(start):
+    for other in state.sections.chains_behind(start - 1):
         if other.start >= end:
             break
         words += [state.document.text[place : other.start], " = "]

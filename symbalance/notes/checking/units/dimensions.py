@@ -336,7 +336,11 @@ class Dimensions:
 
         Nor is a letter of 632 rad/s above 632 Hz, or 60 times it in turns a minute: a 2π is missing.
         """
-        units = [self._turning_unit(left), self._turning_unit(right)]
+        units = [self.unit_at(left), self.unit_at(right)]
+        if names(left) or names(right):  # numbers in two units are compared by what these are worth
+            units = [self._turning_unit(left), self._turning_unit(right)]
+        elif sorted(units) != ["Hz", RADIANS]:
+            return None
         if RADIANS not in units or not _CYCLES & {*units}:
             return None
         what = "1 Hz is 2π rad/s" if "Hz" in units else "a turn is 2π radians"
@@ -358,6 +362,8 @@ class Dimensions:
         return self._typed_turning(value)
 
     def _typed_turning(self, node: Formula) -> str:
+        if not all(isinstance(part, _PLAIN_PARTS) for part in walk(node)):
+            return ""
         typed = (self.unit_at(part) for part in walk(node))
         signs = {sign_of_unit(unit) or unit for unit in typed if unit}
         return signs.pop() if len(signs) == 1 else ""
