@@ -45,6 +45,7 @@ def test_a_wrong_one_is_neither_accused_nor_believed(words):
         "{} is a misprint for {}.",
         "Instead of {} we use {}.",
         "Statt {} gilt {}.",
+        "{} ist durch {} zu ersetzen.",
         "Au lieu de {} on prend {}.",
         "I first wrote {}, in fact it is {}.",
     ],
@@ -66,6 +67,10 @@ def test_what_takes_its_place_counts(words):
         "$v = 2 s n$ is not wrong.",
         "That is not wrong: $v = 2 s n$.",
         "$v = 2 s n$ holds.",
+        "$v = 2 s n$ is an error of 2 %.",
+        "$v = 2 s n$ ist ein Fehler von 2 %.",
+        "$v = 2 s n$ ist durch Versuche bestätigt.",
+        "$v = 2 s n$ ist durch den Hub bestimmt.",
         "$v = 2sn$. Wrong is what the book says.",
     ],
 )

@@ -34,11 +34,11 @@ _WRONG = (
 _BEHIND = re.compile(
     r"[\s$)}\]\\]{0,6}(?:,?\s?(?:which|that|but\s+(?:this|that|it)|this|was|das|dies|ce\s+qui|il\s+che|lo\s+que)\s)?\s{0,2}"
     rf"(?:(?:is|was|would\s+be|ist|wäre|war|est|était|è|era|es)\s+(?:(?:of\s+course|simply|clearly|plainly|obviously|quite|natürlich|schlicht|einfach|bien\s+sûr)\s+)?{_WRONG}"
-    r"(?!\s+(?:by|um|de|di|in\s+general|at|when|if|unless|only|for\s(?:all|any|every|large|small)))(?![^\W\d_])"
+    r"(?!\s+(?:by|of|von|um|de|d['’]|di|in\s+general|at|when|if|unless|only|for\s(?:all|any|every|large|small)))(?![^\W\d_])"
     r"|(?:does\s?n[o']t|do\s+not|cannot)\s+hold(?!\s+(?:in\s+general|for|at|when|if|unless|only))(?![^\W\d_])"
     r"|(?:gilt|stimmt)\s+(?:hier\s+|so\s+)?nicht(?!\s+(?:für|im|bei|wenn|immer|allgemein))(?![^\W\d_])"
     r"|(?:must|has\s+to|should|is\s+to|ought\s+to)\s+be\s+(?:replaced|corrected)(?![^\W\d_])"
-    r"|(?:muss|ist)\s+durch\s"
+    r"|(?:muss|ist)\s+durch\s[^.;!?]{1,60}?(?:zu\s+ersetzen|ersetzt\s+werden|zu\s+korrigieren)(?![^\W\d_])"
     r"|(?:は|が)(?:誤り|間違い|間違って|正しくない|成り立たない|誤って)|ではない|とはならない)",
     re.IGNORECASE,
 )
