@@ -6,7 +6,6 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Negative, Number, Product, names
-from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.complex_numbers import decide_as_complex
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -18,7 +17,7 @@ from symbalance.notes.checking.judging.open_reasons import unless_open, unless_s
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.premises.premise_decisions import must_follow
 from symbalance.notes.checking.steps.angle_equations import at_rough_angle
-from symbalance.notes.checking.steps.dead_centres import angle_named, angle_of_crank, angle_there
+from symbalance.notes.checking.steps.dead_centres import angle_named, angle_there
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.letters_below import with_letters_below
 from symbalance.notes.checking.steps.meant_roughly import decide_as_rough
@@ -26,12 +25,9 @@ from symbalance.notes.checking.steps.slips_at_places import says_direction
 from symbalance.notes.checking.steps.stated_equations import unless_stated
 from symbalance.notes.checking.units.numbers_in_units import decide_in_units
 from symbalance.notes.checking.verdicts import REFUTED, UNDECIDED
-from symbalance.notes.checking.words.places_in_words import PlaceInWords
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain, Side
 
-QUARTERS = (0, 90, 180, 270)
-"""Places of the crank at which formulas of a motion become short."""
 FEWEST_DIGITS = 2
 """Of a number that stands for a letter where numbers are put in."""
 
@@ -55,7 +51,6 @@ def appeal(
     for mend in (
         decide_as_rough,
         _at_stated_angle,
-        _unless_of_some_place,
         _with_sign_of_values,
         unless_solved_in_sentence,
         with_letters_below,
@@ -132,31 +127,6 @@ def _at_stated_angle(
         if there.status == REFUTED and is_stated and name not in names(left.node):
             refuted_there = replace(there, reason=there.reason or f"at {assumption}")
     return refuted_there
-
-
-def _unless_of_some_place(
-    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
-) -> Decision:
-    """Return a decision; x ≈ r (1 + λ/2) without the angle of x is open if x has that value at 90°.
-
-    It is no formula of x then but its value at a place, of which no words are understood.
-    """
-    left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
-    values = {name: d.node for name, d in knowledge.definitions.items() if name not in names(right.node)}
-    angle = angle_of_crank(state, chain.lines[0], knowledge)
-    is_of_angle = angle in names_behind(left.node, values) and angle not in names_behind(
-        right.node, values
-    )
-    if not isinstance(left.node, Name) or not is_of_angle or not names(right.node):
-        return decision
-    if angle_named(state, chain, knowledge) or angle_there(state, chain, k, knowledge):
-        return decision
-    for degrees in QUARTERS:
-        there = decide_at_value(left, right, sign, knowledge, angle, PlaceInWords(degrees).angle)
-        if there.is_proved:
-            shown = f"{plain_text(Name(angle))} = {degrees}°"
-            return Decision(UNDECIDED, f"it holds at {shown}, and no words say that it is meant there")
-    return decision
 
 
 def at_dead_centre(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -53,7 +53,8 @@ def unless_of_other_words(state: JudgingState, chain: Chain, k: int, verdict: Ve
     if not is_proved:
         return verdict
     is_by_lines = decide(left, right, sign, knowledge).is_proved
-    if kinds and (is_by_lines or _rests_on(verdict, together)):
+    in_force = {name: knowledge.definitions[name].node for name in together}
+    if kinds and (is_by_lines or _names_value(verdict, in_force)):
         shown = _shown([*kinds[0][0].values], knowledge)
         reason = f"its words say “{kinds[0][0].words}”, and it holds with {shown} only"
         return describe(state.document, chain, k, Decision(UNDECIDED, reason))
@@ -65,12 +66,6 @@ def unless_of_other_words(state: JudgingState, chain: Chain, k: int, verdict: Ve
             )
             return describe(state.document, chain, k, Decision(UNDECIDED, reason))
     return verdict
-
-
-def _rests_on(verdict: Verdict, values: Mapping[str, Formula]) -> bool:
-    """Tell whether a verdict names the value of one of some letters as what it rests on."""
-    parts = re.split(r"[;,] ", verdict.assumption)
-    return any(part.startswith(f"{plain_text(Name(name))} = ") for name in values for part in parts)
 
 
 def _names_value(verdict: Verdict, values: Mapping[str, Formula]) -> bool:

@@ -466,8 +466,9 @@ def _is_scientific(node: Formula) -> bool:
     """Tell whether a formula is a whole number with a power of ten, 2 · 10⁻⁵, or that power alone."""
     if isinstance(node, formula.Product) and len(node.factors) == 2:
         return isinstance(node.factors[0], Number) and _is_scientific(node.factors[1])
-    is_power = isinstance(node, formula.Power) and node.base == Number(Fraction(10))
-    return is_power and not names(node)
+    if not isinstance(node, formula.Power) or node.base != Number(Fraction(10)) or names(node):
+        return False
+    return node.base.span[1] - node.base.span[0] <= len("10")  # and no (10 m)²
 
 
 def _number(dimensions: Dimensions, node: Number, depth: int) -> Dimension | None:
@@ -537,6 +538,8 @@ def _power(dimensions: Dimensions, node: formula.Power, depth: int) -> Dimension
     if exponent is not None and exponent != NONE:
         text = formula_text(node.exponent, plain=True)
         raise _MismatchError(Mismatch(f"the exponent {text} is in", exponent, NONE))
+    if _is_scientific(node):
+        return None  # it may convert a unit: 60 · 10⁵ of bar
     value = _rational(node.exponent)
     if base is None or base == NONE or value is None:
         return base if base == NONE else None
