@@ -54,7 +54,7 @@ def unless_of_other_words(state: JudgingState, chain: Chain, k: int, verdict: Ve
         return verdict
     is_by_lines = decide(left, right, sign, knowledge).is_proved
     in_force = {name: knowledge.definitions[name].node for name in together}
-    if kinds and (is_by_lines or _names_value(verdict, in_force)):
+    if kinds and (is_by_lines or _rests_on(verdict, in_force)):
         shown = _shown([*kinds[0][0].values], knowledge)
         reason = f"its words say “{kinds[0][0].words}”, and it holds with {shown} only"
         return describe(state.document, chain, k, Decision(UNDECIDED, reason))
@@ -66,6 +66,15 @@ def unless_of_other_words(state: JudgingState, chain: Chain, k: int, verdict: Ve
             )
             return describe(state.document, chain, k, Decision(UNDECIDED, reason))
     return verdict
+
+
+def _rests_on(verdict: Verdict, values: Mapping[str, Formula]) -> bool:
+    """Tell whether a verdict names the value in force of some letters, or one of another line."""
+    parts = re.split(r"[;,] ", verdict.assumption)
+    of_lines = [part for part in parts if " of line " in part]
+    in_force = tuple(f"{plain_text(Name(n))} = {plain_text(v)}" for n, v in values.items())
+    other = tuple(f"{plain_text(Name(n))} = " for n in values)
+    return any(part.startswith(in_force) for part in parts) or any(p.startswith(other) for p in of_lines)
 
 
 def _names_value(verdict: Verdict, values: Mapping[str, Formula]) -> bool:
