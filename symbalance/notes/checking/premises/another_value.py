@@ -207,16 +207,13 @@ def _is_of_another_in_its_sentence(
     text, end = sections.document.text, before[-1].end
     if names(value):
         return all(opens_case(text, c.start, c.end) for c in (before[-1], chain))
-    if any(names(c.sides[1].node) for c in before):
-        return False  # its formula says which number it has where
     if sections.is_consequence(chain) or _CONCLUDES.search(text, end, chain.start):
         return False
     behind = [_BEHIND.match(text, c.end) for c in (before[-1], chain)]
     if behind[0] and behind[1] and behind[0][1] == behind[1][1]:
         return False  # b = 17.8° for the 5.70 and b = 16.9° for the 5.70
-    inner = [c for c in sections.document.chains if end <= c.start and c.end <= chain.start]
     words = text[end : chain.start]
-    for other in reversed(inner):
+    for other in reversed(sections.chains_between(end, chain.start)):
         words = words[: other.start - end] + words[other.end - end :]
     points = sample_trees([before[-1].sides[1].node, value], SymbolValue(), 1)
     is_far = bool(points) and abs(points[0][1][0] - points[0][1][1]) > ROUNDED * abs(points[0][1][0])
@@ -225,6 +222,7 @@ def _is_of_another_in_its_sentence(
         is_far
         and _WORD.search(words) is not None
         and (are_cases or _TWO_THINGS.search(words) is not None)
+        and not any(names(c.sides[1].node) for c in before)  # its formula says which it has where
     )
 
 

@@ -61,6 +61,7 @@ from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.carried_values import CarriedValues
 from symbalance.notes.checking.premises.conditions_behind import equalities_behind, with_conditions
 from symbalance.notes.checking.premises.definitions import Definitions
+from symbalance.notes.checking.premises.ranges_beside import RangesBeside
 from symbalance.notes.checking.premises.ranges_in_words import with_ranges_in_words
 from symbalance.notes.checking.premises.rounded_values import values_put_in
 from symbalance.notes.checking.premises.system import Premise
@@ -212,6 +213,11 @@ class JudgingState:
     def dead_centre_sizes(self) -> DeadCentreSizes:
         """The sizes of a piston's acceleration at the dead centres."""
         return DeadCentreSizes(self.engine_resultants)
+
+    @cached_property
+    def ranges_beside(self) -> RangesBeside:
+        """The values that letters have on ranges of others."""
+        return RangesBeside(self.sections)
 
     @cached_property
     def labels_of_cases(self) -> LabelsOfCases:

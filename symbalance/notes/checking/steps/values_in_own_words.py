@@ -259,7 +259,7 @@ def _given_beside(
         beside = [c for c in sections.chains_on(line) if c.start != chain.start and sets_number(c)]
     else:
         first = chain.start - len(sections.sentence_before(chain))
-        before = (c for c in sections.chains_behind(first) if c.end <= chain.start)
+        before = sections.chains_between(first, chain.start)
         cases = (c for c in before if len(c.relations) == 1 and sections.opens_case(c))
         beside = [c for c in cases if not _HERE.search(text, c.end, chain.start)]
     for giver in beside:

@@ -15,22 +15,6 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.reading.equations import Chain
-from symbalance.text import lazy_patterns as re
-
-_FOR = r"(?:for|if|when|where|on|in|für|wenn|falls|bei|im\s+Bereich|pour|si|per|para|con|のとき|では)?"
-_RANGE_BEHIND = re.compile(
-    rf"[\s$,(\\]*(?:quad|qquad|text\s*\{{)?[\s$({{]*{_FOR}[\s$(}}]*", re.IGNORECASE
-)
-"""Between a value and its range behind it."""
-_RANGE_BEFORE = re.compile(
-    r"[\s$):,、]*(?:is|we\s+have|let|ist|gilt|sei|on\s+a|est|si\s+ha|es|では|のとき)?[\s$]*",
-    re.IGNORECASE,
-)
-"""Between a range and the value behind it."""
-_OPENS = re.compile(
-    r"(?<![^\W\d_])(?:for|if|when|where|für|wenn|falls|bei|pour|si|per|para)[\s$(]*$", re.IGNORECASE
-)
-_REACH = 20
 
 
 class Range(NamedTuple):
@@ -95,26 +79,13 @@ def _parts(
 
 def _given(state: JudgingState, chain: Chain, name: str, knowledge: Knowledge) -> Iterator[OnRange]:
     """Yield the values that lines above give a letter on ranges."""
-    for giver in state.sections.chains_above(Name(name), chain.start):
-        if len(giver.relations) == 1 and giver.relations[0].sign in "=≈":
-            where = _range_beside(state, giver, knowledge)
-            if where is not None:
-                yield OnRange(giver.sides[1].node, where, giver.lines[0])
-
-
-def _range_beside(state: JudgingState, giver: Chain, knowledge: Knowledge) -> Range | None:
-    """Return the range right behind a value or before it, for which it is said."""
-    text, sections = state.document.text, state.sections
-    behind = next(sections.chains_behind(giver.end), None)
-    is_behind = behind is not None and _RANGE_BEHIND.fullmatch(text, giver.end, behind.start)
-    where = _range(behind, text, knowledge) if behind is not None and is_behind else None
-    if where is not None:
-        return where
-    before = sections.chain_before(giver.start)
-    is_opened = before is not None and _OPENS.search(text, max(0, before.start - _REACH), before.start)
-    if before is None or not is_opened or not _RANGE_BEFORE.fullmatch(text, before.end, giver.start):
-        return None
-    return _range(before, text, knowledge)
+    text = state.document.text
+    for giver, ranges in state.ranges_beside.of(name):
+        if giver.start >= chain.start:
+            return
+        where = next(filter(None, (_range(each, text, knowledge) for each in ranges)), None)
+        if where is not None:
+            yield OnRange(giver.sides[1].node, where, giver.lines[0])
 
 
 def _range(chain: Chain, text: str, knowledge: Knowledge) -> Range | None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import accumulate, islice
+from itertools import accumulate
 
 from symbalance.document.formula import Call, Formula, Name, Number, names
 from symbalance.document.text_writer import formula_text
@@ -400,7 +400,14 @@ class Sections:
     def chains_behind(self, place: int) -> Iterator[Chain]:
         """Yield the relations that begin behind a place, in the order of the text."""
         starts, chains = self._by_start
-        return (c for c in islice(chains, bisect_right(starts, place), None) if c.relations)
+        behind = range(bisect_right(starts, place), len(chains))  # no slice, which copies them all
+        return (chains[k] for k in behind if chains[k].relations)
+
+    def chains_between(self, start: int, end: int) -> list[Chain]:
+        """Return the relations and lone expressions that stand between two places, in their order."""
+        starts, chains = self._by_start
+        between = chains[bisect_left(starts, start) : bisect_left(starts, end)]
+        return [chain for chain in between if chain.end <= end]
 
     @cached_property
     def _by_end(self) -> tuple[list[int], list[Chain]]:
