@@ -176,8 +176,9 @@ if hasattr(os, "register_at_fork"):
 def run_within(budget: Budget, work: Callable[[], Value], share: float | None = None) -> Value:
     """Return what `work()` returns, or raise OverBudgetError soon after its budget is spent.
 
-    With a `share` it ends after that part of what is left of the budget around it, if that is sooner: so
-    that the work around it keeps the rest, and what it has so far.
+    With a `share` it ends after that part of what is left of the budget around it, whose rest is for the
+    work around it; its own seconds count where there is none around. So who gives a page more time gives
+    its searches more, and what they find does not depend on what else the machine has to do.
 
     >>> run_within(Budget(60), lambda: 6 * 7)
     42
@@ -187,8 +188,7 @@ def run_within(budget: Budget, work: Callable[[], Value], share: float | None = 
     """
     left = None if share is None else _watch.seconds_left()
     if share is not None and left is not None:
-        most = max(share * left, 0.001)
-        budget = budget._replace(seconds=most if budget.seconds is None else min(most, budget.seconds))
+        budget = budget._replace(seconds=max(share * left, 0.001))
     if budget.seconds is None and budget.megabytes is None:
         return work()
     watched = _Watched(budget)
