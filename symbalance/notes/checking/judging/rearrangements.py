@@ -60,12 +60,13 @@ def _factor(
     multiple = poly.times(domain, first.numerator, {monomial: factor})
     is_multiple = is_zero(domain, poly.minus(second.numerator, multiple)) is True
     if turning:
-        is_plain = not monomial and first.is_polynomial and second.is_polynomial
+        is_plain = not (monomial or domain.assumptions) and first.is_polynomial and second.is_polynomial
         return () if is_multiple and is_plain and factor * turning > 0 else None
     letters = list(_letters(domain, monomial))
-    if not is_multiple or None in letters:
-        return None
-    return tuple(f"{plain_text(Name(name))} ≠ 0" for name in letters if name and name not in positive)
+    if not is_multiple or None in letters or (is_both_ways and domain.assumptions):
+        return None  # |x| = 3 and x = 3 are one relation for x ≥ 0 only
+    unequal = [f"{plain_text(Name(name))} ≠ 0" for name in letters if name and name not in positive]
+    return (*domain.assumptions, *unequal)
 
 
 def _turning(first: str, second: str) -> int | None:
