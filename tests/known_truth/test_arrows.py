@@ -64,6 +64,8 @@ WRONG = [
     r"$\sin^2 x = 1 - \cos^2 x \Rightarrow \sin^2 x + \cos^2 x = 2$",
     r"$\sin^2 x = 2 - \cos^2 x \Rightarrow \sin^2 x + \cos^2 x = 3$",
     r"$x = 2 \Leftrightarrow x^2 = 4$",
+    r"$|x| = 3 \Leftrightarrow x = 3$",
+    r"$\sqrt{x^2} = 3 \Leftrightarrow x = 3$",
     r"$x y = x z \Leftrightarrow y = z$",
     r"$(x + 1) y = (x + 1) z \Leftrightarrow y = z$",
 ]

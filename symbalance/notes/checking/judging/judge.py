@@ -160,6 +160,7 @@ from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_min
 from symbalance.notes.checking.steps.rival_cases import RivalCases
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
+from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
@@ -219,6 +220,7 @@ _ONE_BY_ONE: tuple[_Look, ...] = (
     unless_false_zero,
     unless_zero_as_printed,
     unless_divided_by_zero,
+    unless_said_for_all,
     unless_phases_remain,
     unless_of_one_angle,
     unless_condition_fails,

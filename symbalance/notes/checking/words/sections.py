@@ -730,7 +730,7 @@ class Sections:
         """The engines that the page names."""
         return EnginesInWords(self.document.text)
 
-    def _is_in_another_row(self, chain: Chain, earlier_line: int) -> bool:
+    def is_in_another_row(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether two lines are rows of one table, with a case in their first cells, and a letter
         has its formula in the same column of both; or items of one list, with a case before a colon.
         """
@@ -774,7 +774,7 @@ class Sections:
 
     def names_another_case(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's own words name other strokes, another engine, another row's case."""
-        if self._names_another_cycle(chain, earlier_line) or self._is_in_another_row(chain, earlier_line):
+        if self._names_another_cycle(chain, earlier_line) or self.is_in_another_row(chain, earlier_line):
             return True
         if self._is_in_cell_of_another_engine(chain, earlier_line):
             return True
