@@ -27,6 +27,8 @@ def words_of(page: str) -> list[str]:
         "On the way up $T = m(g+a)$, on the way down $T = m(g-a)$.",
         "It is $s = a+b$ after von Mises and $s = a+2b$ after Tresca.",
         "It is $s = a+b$ (von Mises) or $s = a+2b$ (Tresca).",
+        "For $x = y^2$ we have $dx/dy = 2y$.\nFor $x = y^3$ we have $dx/dy = 3y^2$.",
+        "Für $M = a\\sin^2 u$ ist $M/a = \\sin^2 u$, für $M = a\\cos^2 u$ ist $M/a = \\cos^2 u$.",
     ],
 )
 def test_openings_that_name_two_things_open_two_cases(page):

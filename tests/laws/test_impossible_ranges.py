@@ -11,12 +11,19 @@ IMPOSSIBLE = [
     ("$q = 1 + \\cos^2\\theta$ with RANGE.\n", "$q < 1$", "$q < 2$"),
     ("$z = \\cos\\theta$ and RANGE.\n", "$z > 2$", "$z > 0.2$"),
     ("Let RANGE and $x = y^2$.\n", "$x<0$", "$x>0$"),
+    (
+        "$\\sigma = F/A = 12000/100 = 120$ N/mm².\n\nRANGE.\n",
+        "$\\sigma < 100$ N/mm²",
+        "$\\sigma > 100$ N/mm²",
+    ),
+    ("$p = F/A = 7{,}5$ MPa.\n\nAlso RANGE.\n", "$p < 7$ MPa", "$p < 8$ MPa"),
     ("We have $s = a^2 + b^2$. Take $s = RANGE$.\n", "-4", "4"),
 ]
 POSSIBLE = [
     "$x = y^2$. The case $x<0$ is impossible.\n",
     "$D = b^2 - 4ac$. If $D < 0$ there is no real root.\n",
     "$\\lambda = r/l$, $\\lambda < 1$.\n",
+    "$\\sigma = F/A = 120$ N/mm². Required: $\\sigma < 100$ N/mm².\n",
     "$x = -y^2$, so $x \\le 0$.\n",
 ]
 ALWAYS = [

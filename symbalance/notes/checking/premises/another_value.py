@@ -182,6 +182,8 @@ def _of_its_own_case(
         reason = f"another case than in line {earlier.line}, by its label"
     elif _is_of_another_in_its_sentence(definitions, name, value, chain):
         reason = f"of another than in line {earlier.line}: its sentence has both"
+    elif value != earlier.node and _each_opens_its_case(definitions, name, value, chain):
+        reason = f"another case than in line {earlier.line}: each opens one"
     elif _is_of_other_parity(definitions, name, chain):
         reason = f"another case than in line {earlier.line}: even, and odd"
     if reason:
@@ -247,6 +249,22 @@ _CONCLUDES = re.compile(
     re.IGNORECASE,
 )
 """Words between two numbers that make the second one the first, told again."""
+
+
+def _each_opens_its_case(definitions: Definitions, name: str, value: Formula, chain: Chain) -> bool:
+    """Tell whether each of two formulas is a case itself: for M = a sin² φ, and for M = a cos² φ."""
+    text = definitions.sections.document.text
+    before = definitions.sections.last_above(Name(name), chain.start)
+    if before is None or not names(value) or not names(before.sides[1].node):
+        return False
+    return all(
+        len(c.relations) == 1 and _CASE_ITSELF.search(text, max(0, c.start - _REACH), c.start)
+        for c in (before, chain)
+    )
+
+
+_REACH = 20
+_CASE_ITSELF = re.compile(r"(?<![^\W\d_])(?:for|if|für|bei|wenn|pour|si|per|para)[\s$(]*$", re.IGNORECASE)
 
 
 def _is_of_other_parity(definitions: Definitions, name: str, chain: Chain) -> bool:

@@ -28,6 +28,7 @@ _FARTHEST = 400
 _ZERO = Number(Fraction(0))
 _ONLY_TRIED = re.compile(
     r"(?<![^\W\d_])(?:impossible|cannot|can't|never|not|no|nowhere|if|when|unless|were|would|contradict\w*|absurd|excluded"
+    r"|must|should|shall|required|requirement|demand(?:ed)?|allowed|muss|müssen|soll|sollte|zulässig|gefordert"
     r"|unmöglich|nie|nicht|kein\w*|falls|wenn|wäre\w*|würde\w*|widerspr\w*|ausgeschlossen|jamais|pas|si|impossibile|mai"
     r"|non|se|imposible|nunca|another|other|different|ander\w*|autre|altr\w*|otr[oa])(?![^\W\d_])|ない|なら|場合|矛盾|別の",
     re.IGNORECASE,
@@ -72,7 +73,10 @@ def _pairs(
 
 
 def _formulas(state: JudgingState, chain: Chain, name: str) -> list[tuple[Formula, int]]:
-    """Return the one formula of a letter above in the section, and its line; [] for none or several."""
+    """Return the one formula of a letter above in the section, and its line; [] for none or several.
+
+    Where its line comes to a number, σ = F/A = 120, that is its value, whatever F and A are.
+    """
     above = [
         other
         for other in state.sections.chains_above(Name(name), chain.start)
@@ -80,8 +84,10 @@ def _formulas(state: JudgingState, chain: Chain, name: str) -> list[tuple[Formul
     ]
     if len(above) != 1 or above[0].relations[0].sign != "=" or chain.start - above[0].end > _FARTHEST:
         return []
-    value = above[0].sides[1].node
-    return [(value, above[0].lines[0])] if names(value) and name not in names(value) else []
+    value, result = above[0].sides[1].node, above[0].sides[-1].node
+    if not names(value) or name in names(value):
+        return []
+    return [(result if not names(result) else value, above[0].lines[0])]
 
 
 def _is_only_tried(state: JudgingState, chain: Chain) -> bool:
@@ -106,7 +112,8 @@ def _is_nowhere(state: JudgingState, chain: Chain, stated: StatedRange, value: F
     meaning = replace(meaning, values={n: v for n, v in meaning.values.items() if n != name})
     signs = survey(value, bound, meaning, roots=True)
     is_none = not any(s in SATISFIED_BY[sign] for s in signs.counts)
-    return signs.tried >= FEWEST and is_none and not (signs.has_root and sign in "≤≥")
+    fewest = FEWEST if names(value) or names(bound) else 1
+    return signs.tried >= fewest and is_none and not (signs.has_root and sign in "≤≥")
 
 
 def _formula_of(stated: StatedRange, value: Formula) -> str:
