@@ -97,6 +97,7 @@ from symbalance.notes.checking.steps.another_section import leave_angle_of_secti
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.closed_orders import unless_closed
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
+from symbalance.notes.checking.steps.cosines_of_no_angle import unless_of_no_angle
 from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
@@ -235,6 +236,7 @@ _LAST: tuple[_Look, ...] = (
     unless_impossible,
     unless_rate_of_ratio,
     unless_no_root,
+    unless_of_no_angle,
     unless_wrong_in_list,
     unless_no_forced_motion,
     unless_another_polynomial,

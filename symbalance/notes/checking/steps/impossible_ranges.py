@@ -41,7 +41,7 @@ def unless_impossible(state: JudgingState, chain: Chain, k: int, verdict: Verdic
     if len(chain.relations) != 1 or verdict.verdict not in (RANGE, DEFINITION, PREMISE):
         return verdict
     for stated, value, line in _pairs(state, chain, verdict):
-        if _is_only_tried(state, chain) or not _is_nowhere(state, chain, stated, value):
+        if is_only_tried(state, chain) or not _is_nowhere(state, chain, stated, value):
             continue
         reason = f"no values of its letters make it so: {stated.text}, and {_formula_of(stated, value)}"
         there = "" if line in chain.lines else f" of line {line}"
@@ -90,7 +90,7 @@ def _formulas(state: JudgingState, chain: Chain, name: str) -> list[tuple[Formul
     return [(result if not names(result) else value, above[0].lines[0])]
 
 
-def _is_only_tried(state: JudgingState, chain: Chain) -> bool:
+def is_only_tried(state: JudgingState, chain: Chain) -> bool:
     """Tell whether the words around a relation deny it, or make it a case."""
     text = state.document.text
     before = state.sections.sentence_leading_to(chain)

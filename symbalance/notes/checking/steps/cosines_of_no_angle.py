@@ -1,0 +1,55 @@
+"""A sine or cosine that no angle has: cos θ = (-1 - √(1 + 8 λ²))/(4 λ), which for λ = 1/4 is -2.22.
+
+It satisfies the quadratic equation that it is a root of, and the crank is never there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbalance.document.formula import Call, PlusMinus, names, walk
+from symbalance.notes.algebra.tree_values import sample_trees
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
+from symbalance.notes.checking.steps.impossible_ranges import is_only_tried
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.verdicts import CONTRADICTION, Verdict
+from symbalance.notes.reading.equations import Chain
+
+_WAVES = {"sin": "sine", "cos": "cosine"}
+_POINTS = 12
+_ROUNDED = 1.005
+"""Above it a number is no 1 that is rounded up."""
+
+
+def unless_of_no_angle(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; refuted where a sine or cosine is beyond 1 for all values of its letters.
+
+    Beside another value of the same cosine it is undecided: of two roots, words below may take one.
+    """
+    left, right = chain.sides[0].node, chain.sides[k + 1].node
+    is_equation = chain.relations[k].sign in "=≈" and verdict.verdict not in (REFUTED, CONTRADICTION)
+    if not is_equation or not isinstance(left, Call) or left.function not in _WAVES:
+        return verdict
+    if k and (names(right) or not names(chain.sides[k].node)):
+        return verdict  # the relation before it says so
+    angles = names(left.argument)
+    knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
+    is_complex = bool(angles & knowledge.meaning.complex)
+    is_of_angle = not angles or bool(angles & names(right)) or is_complex
+    if is_of_angle or any(isinstance(part, PlusMinus) for part in walk(right)):
+        return verdict
+    values = {n: d.node for n, d in knowledge.definitions.items() if n not in angles}
+    meaning = replace(knowledge.meaning, values={**values, **knowledge.meaning.values})
+    points = sample_trees([right], meaning, _POINTS, 2 * _POINTS)
+    if not points or any(abs(row[0]) <= _ROUNDED for _, row in points) or is_only_tried(state, chain):
+        return verdict
+    others = state.sections.chains_of(left)
+    is_alone = all(
+        c.start == chain.start or not state.sections.same_section(c.lines[0], chain.lines[0])
+        for c in others
+    )
+    found = {f"{float(row[0].real):.3g}" for _, row in points}
+    shown = "beyond 1 for all values tried" if len(found) > 1 else found.pop()
+    reason = f"no angle has this {_WAVES[left.function]}: it is {shown}"
+    return describe(state.document, chain, k, Decision(REFUTED if is_alone else UNDECIDED, reason))
