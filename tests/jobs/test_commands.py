@@ -289,6 +289,7 @@ def test_documents_and_engines_are_the_same_however_many_share_them(notes, tmp_p
 
 
 def _started(*arguments: str) -> subprocess.Popen[str]:
+    """Start a command that hears of an interrupt, also where tests run behind an & that ignores it."""
     return subprocess.Popen(
         [sys.executable, "-m", "symbalance", *arguments],
         stdout=subprocess.PIPE,
@@ -296,6 +297,7 @@ def _started(*arguments: str) -> subprocess.Popen[str]:
         text=True,
         cwd=ROOT,
         start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),  # noqa: PLW1509
     )
 
 

@@ -5,7 +5,10 @@ import pytest
 from symbalance.notes.checking.verdicts import PROVED_WORDS
 from tests.checked_pages import last_verdict
 
-PLACE = "With $\\lambda = 0.25$ the velocity is greatest where $\\cos\\theta + \\lambda\\cos 2\\theta = 0$:\n\n"
+PLACE = (
+    "With $\\lambda = 0.25$ the velocity is greatest where "
+    "$\\cos\\theta + \\lambda\\cos 2\\theta = 0$:\n\n"
+)
 WRONG = [
     PLACE + r"$\cos\theta = \frac{-1 - \sqrt{1+8\lambda^2}}{4\lambda}$",
     r"$\cos\alpha = 1.5$",

@@ -142,6 +142,7 @@ WORK: tuple[Quantity, ...] = (
                   (omega_high + omega_low) / (omega_high - omega_low),
                   2 * (omega_high + omega_low) / (omega_high - omega_low),
                   2 * (omega_high**2 - omega_low**2) / (omega_high + omega_low),
+                  (omega_high + omega_low) / (2 * omega),
                   (omega_high - omega_low) / (omega_high + omega_low)),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb"),
     ),
