@@ -23,9 +23,10 @@ _ROUNDED = 1.005
 
 
 def unless_of_no_angle(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
-    """Return a verdict; refuted where a sine or cosine is beyond 1 for all values of its letters.
+    """Return a verdict; refuted where a sine or cosine is a number beyond 1.
 
-    Beside another value of the same cosine it is undecided: of two roots, words below may take one.
+    A formula that is so by the numbers of its letters is undecided, as there may be others:
+    cos θ = -1/(2 λ) of rods that nobody builds. So is one of two values: words below may take the other.
     """
     left, right = chain.sides[0].node, chain.sides[k + 1].node
     is_equation = chain.relations[k].sign in "=≈" and verdict.verdict not in (REFUTED, CONTRADICTION)
@@ -52,4 +53,5 @@ def unless_of_no_angle(state: JudgingState, chain: Chain, k: int, verdict: Verdi
     found = {f"{float(row[0].real):.3g}" for _, row in points}
     shown = "beyond 1 for all values tried" if len(found) > 1 else found.pop()
     reason = f"no angle has this {_WAVES[left.function]}: it is {shown}"
-    return describe(state.document, chain, k, Decision(REFUTED if is_alone else UNDECIDED, reason))
+    is_wrong = is_alone and not names(right)
+    return describe(state.document, chain, k, Decision(REFUTED if is_wrong else UNDECIDED, reason))
