@@ -61,3 +61,8 @@ def test_a_wrong_number_of_its_row_is_no_new_case(tmp_path, page, number):
 @pytest.mark.parametrize("page", OF_OTHERS)
 def test_numbers_of_several_things_in_one_list_refute_none(tmp_path, page):
     assert last_verdict(tmp_path, page, SYMBOLS) != "refuted"
+
+
+def test_a_number_of_a_row_is_not_the_rounded_one_of_the_row_above(tmp_path):
+    rows = "| engine | $\\lambda$ |\n|---|---|\n| A | $\\lambda = 0.25$ |\n"
+    assert last_verdict(tmp_path, rows + "| B | $\\lambda = 0.3$ |") == "premise"

@@ -66,7 +66,7 @@ from symbalance.text import lazy_patterns as re
 LONG, POINTS, NEAR = 1000, 4, 0.02
 """How much longer the rod is at the points at which numbers are compared, and how near they come."""
 SEARCH, SHARE = Budget(8), 0.8
-"""What this may take, and of what is left of the relation's budget: a definition stays one without it."""
+"""What it may take alone, and its part of a budget around it: a definition stays one without."""
 FROM_BOTTOM = "displacement from bottom dead centre"
 _USUAL_UNITS = {
     **dict.fromkeys("FKPNRQ", "N"), **dict.fromkeys("MTC", "N m"), "v": "m/s", "a": "m/s^2",

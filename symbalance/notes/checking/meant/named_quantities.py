@@ -91,7 +91,7 @@ from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
 SEARCH, SHARE = Budget(4), 0.6
-"""What this may take, and of what is left of the relation's budget: a definition stays one without it."""
+"""What it may take alone, and its part of a budget around it: a definition stays one without."""
 _ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
 _PART = re.compile(
     r"\b(?:two|three|four|five|six|eight|twelve)\b(?![- ]stroke)|\bboth\b|\beach\b|\bpairs?\b"

@@ -35,23 +35,26 @@ def unless_of_no_angle(state: JudgingState, chain: Chain, k: int, verdict: Verdi
     if k and (names(right) or not names(chain.sides[k].node)):
         return verdict  # the relation before it says so
     angles = names(left.argument)
+    has_both_signs = any(isinstance(part, PlusMinus) for part in walk(right))
+    if not angles or angles & names(right) or has_both_signs:
+        return verdict
     knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
-    is_complex = bool(angles & knowledge.meaning.complex)
-    is_of_angle = not angles or bool(angles & names(right)) or is_complex
-    if is_of_angle or any(isinstance(part, PlusMinus) for part in walk(right)):
+    if angles & knowledge.meaning.complex:
         return verdict
     values = {n: d.node for n, d in knowledge.definitions.items() if n not in angles}
     meaning = replace(knowledge.meaning, values={**values, **knowledge.meaning.values})
     points = sample_trees([right], meaning, _POINTS, 2 * _POINTS)
     if not points or any(abs(row[0]) <= _ROUNDED for _, row in points) or is_only_tried(state, chain):
         return verdict
-    others = state.sections.chains_of(left)
-    is_alone = all(
-        c.start == chain.start or not state.sections.same_section(c.lines[0], chain.lines[0])
-        for c in others
-    )
-    found = {f"{float(row[0].real):.3g}" for _, row in points}
-    shown = "beyond 1 for all values tried" if len(found) > 1 else found.pop()
+    printed = {f"{float(row[0].real):.3g}" for _, row in points}
+    shown = "beyond 1 for all values tried" if len(printed) > 1 else printed.pop()
     reason = f"no angle has this {_WAVES[left.function]}: it is {shown}"
-    is_wrong = is_alone and not names(right)
+    is_wrong = not names(right) and _is_its_only_value(state, chain)
     return describe(state.document, chain, k, Decision(REFUTED if is_wrong else UNDECIDED, reason))
+
+
+def _is_its_only_value(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether no other relation of the section gives the same sine or cosine a value."""
+    sections, line = state.sections, chain.lines[0]
+    others = (c for c in sections.chains_of(chain.sides[0].node) if c.start != chain.start)
+    return not any(sections.same_section(other.lines[0], line) for other in others)

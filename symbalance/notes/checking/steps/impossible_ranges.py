@@ -112,7 +112,7 @@ def _is_nowhere(state: JudgingState, chain: Chain, stated: StatedRange, value: F
     meaning = replace(meaning, values={n: v for n, v in meaning.values.items() if n != name})
     signs = survey(value, bound, meaning, roots=True)
     is_none = not any(s in SATISFIED_BY[sign] for s in signs.counts)
-    fewest = FEWEST if names(value) or names(bound) else 1
+    fewest = FEWEST if names(value) or names(bound) else 1  # two numbers are compared once
     return signs.tried >= fewest and is_none and not (signs.has_root and sign in "≤≥")
 
 

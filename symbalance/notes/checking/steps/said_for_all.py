@@ -63,10 +63,10 @@ def unless_said_for_all(state: JudgingState, chain: Chain, k: int, verdict: Verd
 
 def _letters_of_all(words: str) -> frozenset[str]:
     """Return the letters of all of whose whole values, nought among them, a sentence speaks."""
-    found = next(filter(None, (p.search(words) for p in (_FOR_ALL, _FROM_ZERO, _ALL_ALIKE))), None)
-    if found is None:
+    match = next(filter(None, (p.search(words) for p in (_FOR_ALL, _FROM_ZERO, _ALL_ALIKE))), None)
+    if match is None:
         return frozenset()
-    letters = re.findall(_LETTER, found["letters"])
+    letters = re.findall(_LETTER, match["letters"])
     return frozenset(plain_letter(canonical_name(each.lstrip("\\"))) for each in letters)
 
 

@@ -93,7 +93,7 @@ from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
 SEARCH, SHARE = Budget(6), 0.7
-"""What this may take, and of what is left of the relation's budget: a definition stays one without it."""
+"""What it may take alone, and its part of a budget around it: a definition stays one without."""
 MOST_LETTERS = 5
 _FROM_ELSEWHERE = re.compile(
     r"\b(?:from|von|vom|ab)\b[^.\n]{0,40}?(?:\bbottom|lower dead|\bBDC\b|vertical|horizontal"
