@@ -52,6 +52,8 @@ class StatedRange:
     line: int
     last_line: int | None = None
     """Where it ends, None where it reaches on: one in brackets is of the formula before it alone."""
+    is_only_if: bool = False
+    """Whether it is what something else takes ("only where s > 1"): it contradicts no value later."""
 
     @property
     def text(self) -> str:

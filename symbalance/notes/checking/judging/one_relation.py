@@ -119,6 +119,8 @@ from symbalance.notes.reading.formulas.result_units import without_unit_of_resul
 from symbalance.text import lazy_patterns as re
 
 FOLLOWS = "follows from the side before, which is refuted"
+FROM_SOUND = "equal to what the chain begins with, but not to the side before, which is refuted"
+"""Of a side that is right behind a wrong one: 3·4 = 13 = 12."""
 NEAR_NUMBER = 3
 """Lines below a formula in which the number of its letter goes with it."""
 MOST_BESIDE = 4
@@ -752,6 +754,7 @@ def _decide_step(
     """Return the decision on a relation as a step, and the side its right one is compared with."""
     sign, left, right = chain.relations[k].sign, chain.sides[k], chain.sides[k + 1]
     decision, against = decide(left, right, sign, knowledge), left
+    is_wrong_itself = decision.status == REFUTED
     result = None
     if not names(left.node):
         result = decide_after_units_left_out(chain, k, state.document, knowledge)
@@ -778,6 +781,8 @@ def _decide_step(
         decision = state.meant.again(chain, k, knowledge) or decision
     if sign == "=" and against is left:
         decision = decide_roughly(left, right, decision, knowledge)
+    if bad and is_wrong_itself and against is not left and decision.is_proved:
+        decision = Decision(UNDECIDED, FROM_SOUND)
     return decision, against
 
 

@@ -338,10 +338,11 @@ class Definitions:
             self.ranges = [r for r in self.ranges if r.right is not left]
         if decision.status == RANGE:
             line, is_aside = chain.lines[0], self.sections.is_in_brackets(chain)
-            last = max(chain.lines) if is_aside else None
+            is_only_if = self.sections.is_only_if(chain)
+            last = max(chain.lines) if is_aside or is_only_if else None
             if self.sections.opens_case(chain):
                 self._end_bounds_of_cases(chain, k)
-            self.ranges.append(StatedRange(left, chain.relations[k].sign, right, line, last))
+            self.ranges.append(StatedRange(left, chain.relations[k].sign, right, line, last, is_only_if))
             self._note_case(chain, names(left) | names(right))
 
     def _end_bounds_of_cases(self, chain: Chain, k: int) -> None:

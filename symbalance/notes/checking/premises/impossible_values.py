@@ -140,7 +140,7 @@ def outside_range(
     """Return the contradiction between a letter's value and a range stated before."""
     with_value = knowledge.with_definition(name, Definition(value, line, not names(value)))
     for stated in definitions.ranges_at(line):
-        if name in names(stated.left) | names(stated.right):
+        if name in names(stated.left) | names(stated.right) and not stated.is_only_if:
             decision = compare(stated.left, stated.right, stated.sign, with_value)
             if decision is not None and decision.status == REFUTED:
                 reason = f"contradicts {stated.text} of line {stated.line}"

@@ -32,6 +32,8 @@ MOST_WORDS = 7
 """Of a noun with what it is of: the largest inertia force of one piston."""
 
 
+_ITEM = re.compile(r"(?:\A|\n)[ \t]*(?:[*+•\-]|\d+[.)]|\\item)[\s*_']*")
+"""What an item of a list begins with."""
 _WEIGHT = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|oz|pounds?|tons?|t|g)(?![A-Za-z/])")
 _KILOGRAM = re.compile(r"(?<![A-Za-z])k?g(?![A-Za-z])")
 
@@ -44,12 +46,16 @@ def unit_asked_for(chain: Chain, sentence: str, value: str) -> tuple[str, Dimens
     """
     if not isinstance(chain.sides[0].node, Name):
         return None
-    phrase = _CLAUSE.split(sentence.rstrip(" \t$\\([{") + " ")[-1].strip()
+    before = _ITEM.split(sentence)[-1].rstrip(" \t$\\([{*_'")
+    is_label = before.endswith(":")
+    phrase = _CLAUSE.split(before.removesuffix(":") + " ")[-1].strip()
     if _NO_NOUN.search(phrase):
         return None
     bare = _VERB.sub("", phrase)
-    has_verb = bare != phrase
+    has_verb = bare != phrase or is_label  # "Angular velocity: ω = ..." is a sentence without its verb
     noun = _ARTICLE.sub("", bare)
+    if is_label and _PREPOSITION.search(noun):
+        return None  # "Torque of the force: F = 30 N" may head what the torque is computed from
     if not has_verb and _PREPOSITION.search(noun):
         noun = _ARTICLE.sub("", _PREPOSITION.split(noun)[-1].strip())
     if not noun or len(noun.split()) > MOST_WORDS:

@@ -14,7 +14,7 @@ from symbalance.text import lazy_patterns as re
 _END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
 _CASE = re.compile(
     r"(?<![A-Za-z])(?:for|if|when|whenever|where|at|only for|provided(?:\s+that)?"
-    rf"|as\s+long\s+as|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si"
+    rf"|as\s+(?:long|soon)\s+as|sobald|dès\s+que|non\s+appena|tan\s+pronto\s+como|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si"
     r"|lorsque|quand|para|cuando|per|quando|voor|bij|wanneer|för|vid|när|dla|przy|gdy|při|když"
     rf"|(?:da|alcanza|ocurre|produce|máxim[oa])\s+en|(?:^|[.:]\s)en){_END}|(?:もし|仮に)[^。、]{{0,12}}$",
     re.IGNORECASE,
@@ -34,7 +34,9 @@ _PLACE_BEHIND = re.compile(r"[$)}\]°]{0,4}\.?,?\s[\s$]{0,4}(?:at|for|bei|für|p
 LONGEST_PLACE = 24
 """Characters between a value and the place where it is had, and a few more."""
 _CLAUSE_LAST = re.compile(r"[\s$)}\]°]*(?:[.;。]|\n\s*\n|\Z)")
-_CLAUSE = re.compile(r"[.!?]\s|[;。；]|\n\s*\n")
+_CLAUSE = re.compile(
+    r"[.!?]\s|[;。；]|\n\s*\n|,\s+(?:but|aber|jedoch|mais|ma|pero)(?=[\s$])", re.IGNORECASE
+)
 _GENERAL = re.compile(
     r"(?<![A-Za-zÀ-ÿ\\])(?:always|in\s+general|generally|everywhere|elsewhere|otherwise"
     r"|at\s+all\s+times|at\s+any\s+time"

@@ -115,10 +115,16 @@ _EQUATION = re.compile(
 _ONLY_IF = re.compile(
     r"(?<![^\W\d_])(?:only\s+(?:if|when|where|while|for|as\s+long\s+as)|iff|exactly\s+(?:if|when)|unless|provided(?:\s+that)?|nur(?:\s+dann)?,?\s+(?:wenn|wo)"
     r"|nur\s+für|solange|genau\s+dann[^.;=]{0,30}wenn|sofern|seulement\s+si|si\s+et\s+seulement\s+si|sólo\s+si|solo\s+se|se\s+e\s+solo\s+se)"
-    r"[\s$\\(\[]*$",
+    r"(?:[\s$\\(\[]|stem:)*$",
     re.IGNORECASE,
 )
 """Right before an equation that is not said to be so, but without which something else is not."""
+_THAT_IS = re.compile(
+    r"[\s$\])]*[,;(]?\s*(?:(?:that\s+is|i\.\s*e\.|d\.\s*h\.|das\s+heißt|also|c'est-à-dire|cioè|es\s+decir|つまり|すなわち)"
+    r"(?:,?\s*(?:to\s+say|only|nur))?)?,?\s*(?:(?:if|for|when|where|für|wenn|pour|si|per|se|para)\s+)?(?:[\s$\\(\[]|stem:)*",
+    re.IGNORECASE,
+)
+"""Between a condition and the same one said of another letter."""
 _FAILS = re.compile(
     r"(?:(?<![A-Za-z])(?:third|fourth|last|latter|this|it|which|dritte|vierte|letzte|letztere|diese|sie)"
     r"(?![A-Za-z])[^.;\n=$]{0,40}(?<![A-Za-z])(?:fails|(?:is|are)\s+(?:in\s+general\s+)?not\s+(?:satisfied|fulfilled|met)"
@@ -951,8 +957,14 @@ class Sections:
         return _FAILS.search(self.document.text, chain.end, end) is not None
 
     def is_only_if(self, chain: Chain) -> bool:
-        """Tell whether an equation stands right behind "only if" or "iff": what something else takes."""
+        """Tell whether a relation stands right behind "only if" or "iff": what something else takes.
+
+        Or behind one that does, of which it is another way to say it: only where T < 1, that is for s > 1.
+        """
         text = self.document.text
+        before = self.chain_before(chain.start)
+        if before is not None and _THAT_IS.fullmatch(text, before.end, chain.start) is not None:
+            return self.is_only_if(before)
         return _ONLY_IF.search(text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]) is not None
 
     def end_of_line(self, line: int) -> int:
