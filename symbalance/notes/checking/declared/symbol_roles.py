@@ -358,22 +358,23 @@ def role_of(text: str) -> str:
     ('crank radius', 'angular speed')
     >>> role_of("crank angle from top dead centre"), role_of("crank angle from bottom dead centre")
     ('crank angle', 'crank angle from bottom dead centre')
-    >>> role_of("crank radius [mm]"), role_of("engine speed (1/min)"), role_of("bore [mm]")
-    ('crank radius', 'engine speed rpm', 'bore [mm]')
+    >>> role_of("crank radius [mm]"), role_of("rod length in mm"), role_of("bore [mm]")
+    ('crank radius', 'rod length', 'bore [mm]')
     """
     head = text.split(",", maxsplit=1)[0].strip()
     return _known_role(head) or _role_before_unit(head) or head
 
 
 def _role_before_unit(head: str) -> str:
-    """Return the known meaning before a unit in brackets, or behind "in"; "" for another."""
+    """Return the known meaning before a unit in brackets, or behind "in"; "" for another.
+
+    A speed in revolutions per minute is a letter of its own, for which ω = 2π n/60 has to stand.
+    """
     match = _WITH_UNIT.fullmatch(head)
     if match is None:
         return ""
-    words = match["words"]
-    if _BY_MINUTE_UNIT.fullmatch(match["unit"] or match["bare"]) is not None:
-        return _known_role(f"{words} rpm") or _known_role(f"{words} in rpm")
-    return _known_role(words)
+    by_minute = "min" in (match["unit"] or match["bare"]) or (match["unit"] or match["bare"]) == "rpm"
+    return "" if by_minute else _known_role(match["words"])
 
 
 @cache
@@ -409,11 +410,6 @@ _WITH_UNIT = re.compile(
     r"|\sin\s+(?P<bare>mm|cm|m|rad|degrees?|Grad|°|kg|g|s|rad/s|1/s|s\^-1|rpm|1/min|min\^-1|U/min))"
 )
 """A meaning with its unit: crank radius [mm], crank angle (rad), rod length in mm."""
-_BY_MINUTE_UNIT = re.compile(
-    r"rpm|r/min|rev(?:s|olutions)?(?:/|\s+per\s+)min(?:ute)?|U/min|tr/min|giri/min|1\s*/\s*min|/min"
-    r"|min\s*(?:\^\s*\{?\s*[-−]\s*1\s*\}?|⁻¹)",
-    re.IGNORECASE,
-)
 SIMILAR = 0.7
 """Of two words, by difflib: cranck and crank are 0.91, piston and position 0.71, rod and road 0.86."""
 
@@ -432,6 +428,8 @@ def misspelt_role(text: str) -> str | None:
         return None
     with_unit = _WITH_UNIT.fullmatch(role)
     words = (with_unit["words"] if with_unit else role).lower().split()
+    if with_unit and (" ".join(words) in (*KNOWN, *ALIASES) or " ".join(words) == "engine speed"):
+        return None  # "engine speed [rpm]", a letter in its own unit
     near: list[tuple[float, str]] = []
     for known in (*KNOWN, *ALIASES):
         known_words = known.split()

@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from math import isclose
 
-from symbalance.document.formula import Constant, Formula, Number, Product, names
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, names
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
@@ -25,9 +25,11 @@ from symbalance.notes.checking.units.own_units import is_angular_speed, is_per_m
 from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.checking.verdicts import PROVED_WORDS, REFUTED, Verdict
 from symbalance.notes.checking.words.labels_of_cases import without_comparisons
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sizes_said import SizeSaid, size_said, sizes_in_words
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.notes.reading.units import scale_of
+from symbalance.text import lazy_patterns as re
 
 MOST_SIZES = 4
 """Sizes of a paragraph that are tried, the last ones."""
@@ -35,6 +37,7 @@ PER_MINUTE = (Fraction(1, 30), True)
 """What scale_of says of a revolution per minute."""
 EXACT, ROUNDED = 1e-9, 0.01
 """By how much two numbers of one size differ: 3000 rpm are 314 1/s as a page rounds them."""
+_SENTENCE_END = re.compile(r"(?<![0-9])[.!?]\s|(?<=[0-9])[.!?]\s+(?=[A-ZÄÖÜÉÀ])|。")
 _SPEEDS = ("speed", "velocity", "revolutions", "vitesse", "velocità", "velocidad", "drehzahl")
 
 
@@ -54,7 +57,10 @@ def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
     knowledge = state.knowledge(chain.lines[0])
     values = {name: d.node for name, d in knowledge.definitions.items()}
     others = letters_of_size(said, {*names_behind(left.node, values)}, state, knowledge)
+    result = _letters_of_result(chain, left)
     for name, number in others.items():
+        if name in result:
+            continue
         there = decide(
             left, chain.sides[k + 1], chain.relations[k].sign, with_size(name, number, knowledge)
         )
@@ -74,7 +80,8 @@ def with_size_said(state: JudgingState, chain: Chain, k: int, verdict: Verdict) 
 def _by_sizes_of_paragraph(state: JudgingState, chain: Chain, k: int, left: Side) -> Verdict | None:
     """Return the verdict on a number that comes out with a size its paragraph says before it, or None.
 
-    At 60° the pressure has fallen to 14 bar; there the force is F = 7.8 kN.
+    At 60° the pressure has fallen to 14 bar; there the force is F = 7.8 kN. In a sentence before it may
+    be another thing's: F = 200 N, the bolt breaks at 500 N.
     """
     start = state.sections.start_of_line(state.sections.paragraph_start(chain.lines[0]))
     words = state.document.text[start : chain.start]
@@ -83,13 +90,24 @@ def _by_sizes_of_paragraph(state: JudgingState, chain: Chain, k: int, left: Side
             words = words[: other.start - start] + " = " + words[other.end - start :]
     knowledge = state.knowledge(chain.lines[0])
     behind = {*names_behind(left.node, {name: d.node for name, d in knowledge.definitions.items()})}
+    behind -= _letters_of_result(chain, left)
     sign = chain.relations[k].sign
+    own = sizes_in_words(_SENTENCE_END.split(words)[-1])
     for said in sizes_in_words(words)[:MOST_SIZES]:
         for name, number in letters_of_size(said, behind, state, knowledge).items():
             there = decide(left, chain.sides[k + 1], sign, with_size(name, number, knowledge))
-            if there.is_proved:
+            if there.is_proved and said in own:
                 return _held(state, chain, k, there, said, name, number)
+            if there.is_proved:
+                reason = f"right if “{said.text}” is {plain_text(Name(name))}: say whose it is"
+                return describe(state.document, chain, k, Decision(UNDECIDED, reason))
     return None
+
+
+def _letters_of_result(chain: Chain, left: Side) -> set[str]:
+    """Return the letter whose value a chain works out: a size that would be it is what is to be shown."""
+    heads = (side.node for side in (chain.sides[0], left))
+    return {head.name for head in heads if isinstance(head, Name)}
 
 
 def _held(

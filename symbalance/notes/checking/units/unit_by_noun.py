@@ -27,6 +27,8 @@ _PREPOSITION = re.compile(
     r"(?<![A-Za-z])(?:of|at|on|in|by|to|from|for|per|about|between|an|am|im|der|des|vom|von|zum|beim?|pro|je|de|du|sur)(?![A-Za-z])",
     re.IGNORECASE,
 )
+_SEVERAL = re.compile(r"(?:(?<![^\W\d_])(?:and|und|et|e|y|with|mit)\s|[,/&])[^.;:!?]*:?$", re.IGNORECASE)
+"""In a label that heads more than one size: "piston area and gas force:"."""
 _NO_NOUN = re.compile(r"[=≈0-9]|[.,;:!?)。、]\s*$|\n\s*\n")
 MOST_WORDS = 7
 """Of a noun with what it is of: the largest inertia force of one piston."""
@@ -54,7 +56,7 @@ def unit_asked_for(chain: Chain, sentence: str, value: str) -> tuple[str, Dimens
     bare = _VERB.sub("", phrase)
     has_verb = bare != phrase or is_label  # "Angular velocity: ω = ..." is a sentence without its verb
     noun = _ARTICLE.sub("", bare)
-    if is_label and _PREPOSITION.search(noun):
+    if is_label and (_PREPOSITION.search(noun) or _SEVERAL.search(before)):
         return None  # "Torque of the force: F = 30 N" may head what the torque is computed from
     if not has_verb and _PREPOSITION.search(noun):
         noun = _ARTICLE.sub("", _PREPOSITION.split(noun)[-1].strip())

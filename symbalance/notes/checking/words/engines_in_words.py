@@ -208,6 +208,28 @@ class CrankStar:
             size *= 2 * max(abs(f(half) * f(order * half)) for f in (cos, sin))
         return 0.0 if size < _NOTHING else size
 
+    def waves(self, order: int, *, is_couple: bool) -> frozenset[str]:
+        """Return which of cos nθ and sin nθ an order goes with, θ being the angle of any of the cranks.
+
+        Empty where it goes with neither: the couple of two cranks at 90° lies between.
+
+        >>> CrankStar((0, 180)).waves(1, is_couple=True)
+        frozenset({'cos'})
+        >>> CrankStar((0, 90)).waves(1, is_couple=True)
+        frozenset()
+        """
+        if self.is_radial or self.banks:
+            return frozenset()
+        count, signs = len(self.degrees), self.signs or (1,) * len(self.degrees)
+        arms = [(count - 1 - 2 * k) / 2 if is_couple else 1.0 for k in range(count)]
+        found: set[str] = set()
+        for own in self.degrees:
+            turned = [order * pi * float(own - d) / 180 for d in self.degrees]
+            whole = sum(rect(s * a, t) for s, a, t in zip(signs, arms, turned, strict=True))
+            if abs(whole) >= _NOTHING and min(abs(whole.real), abs(whole.imag)) < _NOTHING:
+                found.add("cos" if abs(whole.imag) < _NOTHING else "sin")
+        return frozenset(found)
+
     @property
     def text(self) -> str:
         """The angles for an assumption."""

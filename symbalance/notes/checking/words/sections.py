@@ -959,7 +959,7 @@ class Sections:
     def is_only_if(self, chain: Chain) -> bool:
         """Tell whether a relation stands right behind "only if" or "iff": what something else takes.
 
-        Or behind one that does, of which it is another way to say it: only where T < 1, that is for s > 1.
+        Or behind one that does, said in another letter: only where T < 1, that is for s > 1.
         """
         text = self.document.text
         before = self.chain_before(chain.start)

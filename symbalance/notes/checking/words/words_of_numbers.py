@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbalance.notes.checking.words.labels_of_cases import COMPARED
+from symbalance.notes.checking.words.numbers_by_place import by_index, by_order, by_own_column
 from symbalance.notes.checking.words.places_in_words import with_dead_centres
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain
@@ -40,7 +41,7 @@ _LITTLE = re.compile(
 """Words that tell no case from another: little ones, and those of any engine."""
 _BEHIND = re.compile(
     r"[\s$)\]}~]*(?:\((?P<aside>[^()$=\n]{2,40})\)"
-    r"|(?P<words>(?:at|for|in|on|with|when|bei|beim|im|für|am|mit|à|au|pour|en|avec|per|con|para|al|alla|a(?=\s[0-9]))\s(?:[^.,;:!?。、=$()\n]|\n(?!\s*\n)|[.,](?=[0-9])){2,60}?)"
+    r"|(?P<words>(?:at|for|in|on|with|when|bei|beim|im|für|am|mit|à|au|pour|en|avec|per|con|para|al|alla|a(?=\s[0-9]))\s(?:[^.,;:!?。、=$()\n]|\([a-h1-9]\)|\n(?!\s*\n)|[.,](?=[0-9])){2,60}?)"
     r"(?=\s+(?:and|und|but|aber|et|mais|e|ma|y|pero)\s|[.,;:!?。、)]|\s*(?:\n\s*\n|$)))",
     re.IGNORECASE,
 )
@@ -70,13 +71,27 @@ def number_spoken_of(
 ) -> int | None:
     """Return which of several numbers of a letter the words before a relation are about.
 
-    None where they tell none; `ALL` where they are about all of them. `now` is the one in force.
+    None where they tell none; `ALL` where they are about all of them. `now` is the one in force. So does
+    its column in a table, and its place in a row of results "respectively".
     """
+    by_place = by_own_column(text, chain, givers)
+    by_place = by_order(sections, text, chain, givers) if by_place is None else by_place
+    if by_place is not None:
+        return by_place
     leads = [_lead_of(sections, text, giver) for giver in givers]
     own = [lead.difference(*(leads[:n] + leads[n + 1 :])) for n, lead in enumerate(leads)]
     if not own[now]:
         return None  # a number given since, in no case, is that of every case
-    first = max(givers[now].end, sections.start_of_line(sections.section_start(chain.lines[0])))
+    named = _by_words_behind(text, chain, own)
+    named = by_index(sections, chain, own) if named is None else named
+    return _by_words_before(sections, text, chain, givers[now], own) if named is None else named
+
+
+def _by_words_before(
+    sections: Sections, text: str, chain: Chain, last: Chain, own: Sequence[frozenset[str]]
+) -> int | None:
+    """Return the number of which the last sentences before a relation speak, behind the one in force."""
+    first = max(last.end, sections.start_of_line(sections.section_start(chain.lines[0])))
     for k, sentence in enumerate(reversed(_sentences(sections, text, first, chain))):
         if not k and _BOTH.search(sentence):
             return ALL
@@ -85,9 +100,16 @@ def number_spoken_of(
         if named:
             return None if len(named) > 1 else named.pop()
         ordinal = _ORDINAL.search(_COMPARISON.sub(" ", sentence))
-        if ordinal is not None and len(givers) > 1 and all(own):
+        if ordinal is not None and len(own) > 1 and all(own):
             return 0 if ordinal["first"] or ordinal["one"] else 1
     return None
+
+
+def _by_words_behind(text: str, chain: Chain, own: Sequence[frozenset[str]]) -> int | None:
+    """Return the only number with whose words those right behind a relation agree: 7 in case (a)."""
+    words = _tokens(with_dead_centres(_words_behind(text, chain)))
+    named = {n for n, each in enumerate(own) if each & words}
+    return named.pop() if len(named) == 1 else None
 
 
 def _sentences(sections: Sections, text: str, first: int, chain: Chain) -> list[str]:

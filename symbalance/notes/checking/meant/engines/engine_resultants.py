@@ -30,7 +30,7 @@ from symbalance.document.formula import (
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.descriptions import describe
-from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision, without_dots
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.declared.symbol_roles import role_of
@@ -343,7 +343,7 @@ class EngineResultants:
             is_open = is_open or _is_what_half_a_balance_leaves(claim)
             if is_open or (term is None and self._is_against_another(chain, claim, product, knowledge)):
                 return None
-            return Decision(
+            return _other_wave(claim, product) or Decision(
                 PROVED,
                 assumptions=(
                     self._assumption(name, claim),
@@ -651,6 +651,21 @@ def _explained(name: str) -> re.Pattern[str]:
         rf"[^$.;:=\n]{{0,60}}?(?:{OF_ONE.pattern})",
         re.IGNORECASE,
     )
+
+
+def _other_wave(claim: EngineClaim, product: ProductOfPowers) -> Decision | None:
+    """Return that a force or couple goes with the other wave, where θ is the angle of a crank.
+
+    Two cranks at 180° give a couple with cos θ. It is sin θ only for an angle that is counted otherwise.
+    """
+    if product.wave is None or claim.kind not in (FORCE, COUPLE) or claim.is_rotating:
+        return None
+    possible = [star.waves(claim.order, is_couple=claim.kind == COUPLE) for star in claim.engine.stars]
+    if not all(possible) or any(product.wave.function in waves for waves in possible):
+        return None
+    (right, *_) = sorted(possible[0])
+    reason = f"its size is right; counted from top dead centre of a cylinder, it goes with {right}"
+    return Decision(UNDECIDED, reason)
 
 
 def _sign_of_wave(product: ProductOfPowers) -> int:

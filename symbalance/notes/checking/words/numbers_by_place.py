@@ -1,0 +1,81 @@
+"""Which of several numbers of a letter a result goes with by its place: its column, its index, its turn.
+
+A table with an engine in each column has each engine's results in its own. G_A is of what is labelled
+A. Of r = 40 mm and r = 50 mm, s = 80 mm and s = 100 mm "respectively", the first goes with the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbalance.document.formula import Name
+from symbalance.notes.checking.words.sections import Sections
+from symbalance.notes.checking.words.table_cells import cells_of
+from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
+
+_RESPECTIVELY = re.compile(
+    r"(?<![^\W\d_])(?:respectively|beziehungsweise|bzw\.|jeweils|respectivement|rispettivamente"
+    r"|respectivamente)(?![^\W\d_])|それぞれ",
+    re.IGNORECASE,
+)
+_END = re.compile(r"(?<![0-9])[.!?](?=\s|$)|。|\n\s*\n")
+
+
+def by_own_column(text: str, chain: Chain, givers: Sequence[Chain]) -> int | None:
+    """Return the only number in a relation's column of a table, where the others stand in its others."""
+    tables = cells_of(text)
+    cell = tables.at(chain.start)
+    if cell is None or not cell.column:
+        return None
+    heads = [
+        None if (c := tables.at(g.start)) is None or not c.column else c.labels[0].span for g in givers
+    ]
+    beside = {other.span for other in cell.others}
+    own = [n for n, head in enumerate(heads) if head == cell.labels[0].span]
+    is_table = all(head is not None and (n in own or head in beside) for n, head in enumerate(heads))
+    return own[-1] if own and is_table and len(own) < len(givers) else None
+
+
+def by_index(sections: Sections, chain: Chain, own: Sequence[frozenset[str]]) -> int | None:
+    """Return the only number whose words are the index of the letter worked out: G_A of "engine A".
+
+    A digit may be an order: it counts where the results beside it have the other digits.
+    """
+    index = _index(chain)
+    named = [n for n, each in enumerate(own) if index and index in each]
+    if len(named) != 1:
+        return None
+    if index.isdecimal():
+        first = sections.start_of_line(sections.paragraph_start(chain.lines[0]))
+        last = sections.start_of_line(sections.paragraph_end(chain.lines[0]) + 1)
+        stem = _stem(chain)
+        beside = [c for c in sections.chains_between(first, last) if _stem(c) == stem and c is not chain]
+        if not any(_index(c) != index and any(_index(c) in each for each in own) for c in beside):
+            return None
+    return named[0]
+
+
+def by_order(sections: Sections, text: str, chain: Chain, givers: Sequence[Chain]) -> int | None:
+    """Return the number of a result's own turn in a sentence that says "respectively"."""
+    start = max(
+        (m.end() for m in _END.finditer(text, givers[0].start, chain.start)), default=givers[0].start
+    )
+    match = _END.search(text, chain.end)
+    end = match.start() if match is not None else len(text)
+    inside = all(start <= g.start for g in givers) and givers[-1].end <= chain.start
+    if not inside or _RESPECTIVELY.search(text, start, end) is None:
+        return None
+    between = sections.chains_between(givers[-1].end, end)
+    results = [c for c in between if _stem(c) == _stem(chain)]
+    return results.index(chain) if len(results) == len(givers) and chain in results else None
+
+
+def _index(chain: Chain) -> str:
+    head = chain.sides[0].node
+    return head.name.rpartition("_")[2] if isinstance(head, Name) and "_" in head.name else ""
+
+
+def _stem(chain: Chain) -> str:
+    head = chain.sides[0].node
+    return head.name.partition("_")[0] if isinstance(head, Name) else ""
