@@ -256,11 +256,19 @@ def _by_turns(left: Formula, right: Formula, name: str, knowledge: Knowledge) ->
 
 
 def _free_letters(node: Formula, refutation: Decision) -> set[str]:
-    """Return the letters without values in a side, by its form; by its text where it has none: ε^κ."""
+    """Return the letters without values in a side, by its form; by its text where it has none, as ε^κ."""
     if refutation.left is not None:
         return set(letters(refutation.left))
-    has_power = any(isinstance(part, Power) and names(part.exponent) for part in walk(node))
+    has_power = any(isinstance(part, Power) and _has_no_form(part.exponent) for part in walk(node))
     return set(letters_behind(node, refutation.level.values)) if has_power and refutation.level else set()
+
+
+def _has_no_form(exponent: Formula) -> bool:
+    """Tell whether a power has no normal form: with a letter in its exponent, or a cube root."""
+    value = exponent
+    if isinstance(value, Quotient) and isinstance(value.denominator, Number):
+        return bool(names(value)) or value.denominator.value not in (1, 2)
+    return bool(names(value)) or (isinstance(value, Number) and value.value.denominator not in (1, 2))
 
 
 def _kind_of_statement(

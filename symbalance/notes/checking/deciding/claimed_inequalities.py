@@ -97,7 +97,11 @@ def ranges_near(document: ReadNotes, chain: Chain) -> tuple[StatedRange, ...]:
         for n, relation in enumerate(c.relations)
         if relation.sign in SATISFIED_BY
     ]
-    return tuple(each for each in stated if lone_letter(each) is not None)
+    return tuple(
+        each
+        for each in stated
+        if lone_letter(each) is not None or len(names(each.left) | names(each.right)) == 1
+    )
 
 
 def _within(

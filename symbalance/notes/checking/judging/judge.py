@@ -145,6 +145,7 @@ from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
     cases_replaced_by,
     end_cases,
+    letters_supposed,
     lines_of_numbers,
     past_cases,
     without_cases,
@@ -376,6 +377,9 @@ class Judge:
             self.state.note_verdict(span[0], verdict.verdict)
             self._note_wrong(chain, k, verdict)
             head = chain.sides[0].node
+            other = self.state.named.read_otherwise.pop(chain.start, None)
+            if other is not None and isinstance(head, Name):
+                self.state.definitions.define(head.name, other, chain)
             if k and verdict.reason.endswith(NO_VALUES_HERE) and isinstance(head, Name):
                 self.state.definitions.define(head.name, chain.sides[k + 1].node, chain)  # F = Σ F_i = …
             if _puts_numbers_in(chain, k, verdict) and isinstance(head, Name):
@@ -626,6 +630,7 @@ class Judge:
             self.state.general |= letters_in_waves(chain.sides[k].node)
         self.state.general |= self._ranges_of_all_values(chain) | letters_of_ended(self.state, chain)
         self.state.general |= self._claimed_always(chain, k)
+        self.state.general |= letters_supposed(self.state, chain)
         if not k and self.state.sections.is_called_identity(chain):
             self.state.general |= chain.letters
         examples = lines_of_numbers(self.state.definitions, self.state.general)

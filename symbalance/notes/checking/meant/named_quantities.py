@@ -84,7 +84,7 @@ from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimensi
 from symbalance.notes.checking.meant.solved_sides import Solved, solved_sides
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
-from symbalance.notes.checking.verdicts import DEFINITION, Verdict
+from symbalance.notes.checking.verdicts import DEFINITION, PROVED_WORDS, Verdict
 from symbalance.notes.checking.words.glossary import glossary_of
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -212,6 +212,8 @@ class NamedQuantities:
     """Whether a relation is judged as solved for one of its letters: by words alone then."""
     numbers: Numbers | None = None
     """The units of the letters of the formula that is judged, where words give them."""
+    read_otherwise: dict[int, Formula] = field(default_factory=dict)
+    """By where relations begin: formulas that are their quantity as read otherwise than usual."""
 
     @cached_property
     def units(self) -> LetterUnits:
@@ -267,7 +269,20 @@ class NamedQuantities:
         """Return the verdict on a relation that gives a named quantity a formula; None for others.
 
         It stays a definition, with the reason, where the search took more than its share of the budget.
+        What is wrong as usually read may be right as read otherwise: π G d⁴ / 32 L.
         """
+        outcome = self._as_read(chain, k, knowledge)
+        is_wrong = isinstance(outcome, Verdict) and outcome.verdict == REFUTED
+        for other in chain.sides[k + 1].readings[1:] if is_wrong else ():
+            side = replace(chain.sides[k + 1], readings=(other,))
+            read = replace(chain, sides=(*chain.sides[: k + 1], side, *chain.sides[k + 2 :]))
+            there = self._as_read(read, k, knowledge)
+            if there is None or _is_right(there):
+                self.read_otherwise[chain.start] = other
+                return there
+        return outcome
+
+    def _as_read(self, chain: Chain, k: int, knowledge: Knowledge) -> Verdict | Decision | None:
         left, right = chain.sides[k].node, without_dots(chain.sides[k + 1].node)[0]
         is_first = k == 0 and chain.relations[0].sign in "=≈"
         name = (name_of_head(left) or head_of(left) or "") if is_first else ""
@@ -993,3 +1008,7 @@ def _has_complement(claim: Formula, knowledge: Knowledge) -> bool:
     """Tell whether the page defines a letter as what another leaves: k = 1 - β, a share the other way."""
     own = [knowledge.definitions[n].node for n in names(claim) if n in knowledge.definitions]
     return any(isinstance(node, Sum) and Number(Fraction(1)) in node.terms for node in own)
+
+
+def _is_right(outcome: Verdict | Decision) -> bool:
+    return outcome.is_proved if isinstance(outcome, Decision) else outcome.verdict in PROVED_WORDS

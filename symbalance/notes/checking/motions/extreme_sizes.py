@@ -5,7 +5,9 @@ The sign of the value there does not count, so that it does not matter which way
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from symbalance.document.formula import (
@@ -15,6 +17,7 @@ from symbalance.document.formula import (
     Formula,
     Name,
     Negative,
+    Number,
     Sum,
     names,
     walk,
@@ -28,10 +31,12 @@ from symbalance.notes.checking.motions.extremes import (
     BY_NUMBERS,
     FAR,
     NEAR,
+    NOTHING,
     at_dead_centre,
     theta_name,
     values_over_turn,
 )
+from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Side
 
 
@@ -41,12 +46,28 @@ def decide_largest_size(left: Side, right: Side, sign: str, knowledge: Knowledge
     own = names(right.node)
     if motion is None or not own or own & (knowledge.angles | knowledge.moving):
         return None
-    return _decide_size(motion, right, sign, knowledge)
+    decision = _decide_size(motion, right, sign, knowledge)
+    given = _numbers_given(motion, right, knowledge) if decision.status == REFUTED else {}
+    return _decide_size(motion, right, sign, knowledge, given) if given else decision
 
 
-def _decide_size(motion: Formula, right: Side, sign: str, knowledge: Knowledge) -> Decision:
+def _numbers_given(motion: Formula, right: Side, knowledge: Knowledge) -> dict[str, Fraction]:
+    """Return the numbers above of letters that a motion has and its claimed size has not: λ = 3.5."""
+    values = list(knowledge.levels(motion, right.node))[-1].values
+    behind = {*names_behind(motion, values)} - {*names_behind(right.node, values)} - knowledge.angles
+    known = {name: knowledge.definitions[name].node for name in behind & knowledge.definitions.keys()}
+    return {name: node.value for name, node in known.items() if isinstance(node, Number)}
+
+
+def _decide_size(
+    motion: Formula,
+    right: Side,
+    sign: str,
+    knowledge: Knowledge,
+    given: Mapping[str, Fraction] = NOTHING,
+) -> Decision:
     """Decide what a line says of the largest size of a known motion; a size is never negative."""
-    rows = values_over_turn(motion, right.node, knowledge)
+    rows = values_over_turn(motion, right.node, knowledge, given)
     if not rows:
         return Decision(UNDECIDED, "the extreme of what has no values here")
     sizes = [max(abs(value) for value in turn) for _, turn, _ in rows]
@@ -55,6 +76,7 @@ def _decide_size(motion: Formula, right: Side, sign: str, knowledge: Knowledge) 
     if is_signed and names(right.node) <= knowledge.meaning.positive and not has_either_sign:
         return Decision(REFUTED, "a size is never negative")
     least = (f"{formula_text(right.node, plain=True)} ≥ 0",) if is_signed else ()
+    least += tuple(f"{plain_text(Name(n))} = {plain_text(Number(value))}" for n, value in given.items())
     claims = [abs(claim) for _, _, claim in rows]
     tiny = context().mpf(10) ** -12
     if all(size <= claim * (1 + tiny) for size, claim in zip(sizes, claims, strict=True)):

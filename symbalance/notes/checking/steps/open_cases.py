@@ -10,8 +10,24 @@ from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.definitions import Definitions, Entry, OpenCase
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.words.lists_of_data import sets_number
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
+
+_ARROW = (
+    r"(?:[⇒⟹⇔⟺]|=+>"
+    r"|\\(?:Rightarrow|Longrightarrow|implies|Leftrightarrow|Longleftrightarrow|iff)(?![A-Za-z]))"
+)
+_ARROW_BEHIND = re.compile(rf"(?:[\s$&,;]|\\[,;: ]|\\q?quad)*{_ARROW}")
+_ARROW_BEFORE = re.compile(rf"{_ARROW}(?:[\s$&]|\\[,;: ]|\\q?quad)*$")
+_WE_HAVE = re.compile(
+    r"[\s$)\]\\]*,?\s*(?:we\s+(?:have|get|find)|(?:one|this)\s+(?:has|gets|gives)|there\s+is|it\s+is|is"
+    r"|ist|wird|gilt|hat\s+man|on\s+a|si\s+ha|se\s+tiene)?[\s$(\[\\]*(?:stem:\[)?",
+    re.IGNORECASE,
+)
+"""Between a case and what is said of it."""
+_NEAR = 30
+"""Characters between an arrow and the relation it leads to."""
 
 
 def past_cases(
@@ -155,13 +171,54 @@ def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     Where the number is given as one of its own sentence, "for k = 1/3 < 1/2", the range is claimed of it.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if len(chain.letters) == 1 and _is_supposed(state, chain):
+        return True
     letters = [side for side in (left, right) if isinstance(side, Name)]
-    if len(chain.relations) != 1 or len(letters) != 1 or names(left) & names(right):
+    if len(letters) != 1 or names(left) & names(right):
+        return False
+    if _is_varied(state, letters[0], chain):
+        return True
+    if len(chain.relations) != 1:
         return False
     definition = knowledge.definitions.get(letters[0].name)
     if definition is None or not definition.numeric or not state.sections.opens_case(chain):
         return False
     return definition.line < chain.lines[0] or _has_value_in_another_case(state, letters[0], chain)
+
+
+def _is_supposed(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether an arrow stands behind a range, and none before it: B > 1/2 ⇔ 1 - B < B."""
+    text, before = state.document.text, state.sections.chain_before(chain.start)
+    first = chain.start if before is None else before.end
+    is_drawn = _ARROW_BEFORE.search(text, max(first, chain.start - _NEAR), chain.start) is not None
+    return not is_drawn and _ARROW_BEHIND.match(text, chain.end) is not None
+
+
+def letters_supposed(state: JudgingState, chain: Chain) -> frozenset[str]:
+    """Return the letter of a range that an arrow leads from to a relation, which is claimed of its values.
+
+    So is what stands behind "for ε < 2° we have". None where an arrow leads to that range too.
+    """
+    before = state.sections.chain_before(chain.start)
+    if before is None or not before.relations or len(before.letters) != 1:
+        return frozenset()
+    is_range = all(relation.sign in SATISFIED_BY for relation in before.relations)
+    between = state.document.text[before.end : chain.start]
+    is_led_to = _ARROW_BEHIND.match(between) is not None and _is_supposed(state, before)
+    is_led_to |= state.sections.opens_case(before) and _WE_HAVE.fullmatch(between) is not None
+    return before.letters if is_range and is_led_to else frozenset()
+
+
+def _is_varied(state: JudgingState, letter: Name, chain: Chain) -> bool:
+    """Tell whether a page gives a letter different numbers itself, as a choice: B = 0, B = 1/2, B = 0.7.
+
+    Between numbers it is then what others choose, 0.6 < B < 0.85, and says nothing of the last one.
+    """
+    if state.sections.is_consequence(chain) or names(chain.sides[0].node) & names(chain.sides[-1].node):
+        return False
+    given = [c for c in state.sections.chains_of(letter) if sets_number(c) and c.lines != chain.lines]
+    is_inline = all(c.inline for c in given) and chain.inline
+    return is_inline and len({c.sides[1].node for c in given}) > 1 and len(given[0].relations) == 1
 
 
 def _has_value_in_another_case(state: JudgingState, letter: Name, chain: Chain) -> bool:

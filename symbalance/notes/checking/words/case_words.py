@@ -146,7 +146,7 @@ PROBLEM = re.compile(
 
 def opens_case(text: str, start: int, end: int) -> bool:
     """Tell whether a relation, from `start` to `end`, is introduced as a case: for x > 0, bei θ = 0."""
-    bare = _TAG.sub(" ", text[max(0, start - 80) : start])
+    bare = _TAG.sub(" ", text[max(0, start - 80) : start]).removesuffix("stem:[")
     before = glossary_of(text).english(_CLAUSE.split(bare)[-1].rstrip(" \t\n$\\([{"))
     return _CASE.search(before + " ") is not None or _CASE_BEHIND.match(text, end) is not None
 
