@@ -182,6 +182,7 @@ from symbalance.notes.checking.units.plain_letters import PlainLetters
 from symbalance.notes.checking.units.rates_by_name import rate_dimension, turns_for_radians
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
 from symbalance.notes.checking.units.turns_in_radians import with_turns
+from symbalance.notes.checking.units.turns_of_results import refute_turns
 from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
 from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
 from symbalance.notes.checking.verdicts import (
@@ -1025,7 +1026,8 @@ class Judge:
         unlike = [unlike_terms(node) for node in chain.sides[k + 1].readings]
         if all(unlike) and chain.relations[k].sign in "=≈":
             return Decision(REFUTED, unlike[0])
-        if (of_rate := self._unlike_unit(chain, k)) is not None:
+        of_rate = self._unlike_unit(chain, k)
+        if (of_rate := of_rate or self._turned_wrongly(chain, k, knowledge)) is not None:
             return of_rate
         if against == k and (by_words := self._unlike_unit_behind(chain, k, knowledge)) is not None:
             return by_words
@@ -1053,6 +1055,11 @@ class Judge:
                 witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
                 return Decision(REFUTED, mismatches[0].reason, witness=witness)
         return None
+
+    def _turned_wrongly(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Refute radians by the second in a unit of turns, and turns in one of radians."""
+        dimensions = self._dimensions(chain, k, knowledge)
+        return refute_turns(chain, k, self.document, dimensions, knowledge)
 
     def _is_quantity(self, side: Side) -> bool:
         """Tell whether a side is a number with a unit behind it."""
