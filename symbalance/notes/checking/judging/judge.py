@@ -171,6 +171,7 @@ from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_plac
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
+from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -181,6 +182,7 @@ from symbalance.notes.checking.units.own_units import with_speeds
 from symbalance.notes.checking.units.plain_letters import PlainLetters
 from symbalance.notes.checking.units.rates_by_name import rate_dimension, turns_for_radians
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
+from symbalance.notes.checking.units.temperatures import with_temperatures
 from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.units.turns_of_results import refute_turns
 from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
@@ -242,6 +244,7 @@ _LAST: tuple[_Look, ...] = (
     unless_no_forced_motion,
     unless_another_polynomial,
     unless_of_other_words,
+    unless_in_degrees,
 )
 """What does so once a relation has been read in its case and its row."""
 
@@ -268,7 +271,8 @@ class Judge:
         self.document = replace(self.document, text=shown, as_typed=text)
         data = data_of(self.document, symbols_at)
         chains = (*self.document.chains, *data)
-        every = with_turns(with_speeds(replace(self.document, chains=chains), symbols_at)).chains
+        every_chain = with_temperatures(replace(self.document, chains=chains))
+        every = with_turns(with_speeds(every_chain, symbols_at)).chains
         self.document = replace(self.document, chains=every[: len(self.document.chains)])
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
