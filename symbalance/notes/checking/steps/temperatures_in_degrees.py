@@ -35,14 +35,13 @@ _SAME = 1e-9
 
 def unless_in_degrees(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; temperatures in °C are judged in kelvin, and in degrees where that is meant."""
-    if verdict.verdict not in (*PROVED_WORDS, REFUTED_WORD):
-        return verdict
     knowledge = state.knowledge(chain.lines[0])
     left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
     values = {name: d.node for name, d in knowledge.definitions.items()}
     behind = {n for side in (left, right) for n in (*names(side.node), *names_behind(side.node, values))}
     nodes = [left.node, right.node, *(values[n] for n in sorted(behind & values.keys()))]
-    if sign not in "=≈" or not any(map(has_temperature, nodes)):
+    is_of_them = sign in "=≈" and any(map(has_temperature, nodes))
+    if not is_of_them or verdict.verdict not in (*PROVED_WORDS, REFUTED_WORD):
         return verdict
     degrees = _knowledge_in_degrees(knowledge)
     there = decide(_side_in_degrees(left), _side_in_degrees(right), sign, degrees)
@@ -50,15 +49,16 @@ def unless_in_degrees(state: JudgingState, chain: Chain, k: int, verdict: Verdic
     if verdict.verdict != REFUTED_WORD:
         is_wrong = is_same and _is_same(right, knowledge, degrees) and there.status == REFUTED
         return describe(state.document, chain, k, there) if is_wrong else verdict
-    if there.is_proved and any(_is_quotient(node, values) for node in nodes):
-        return replace(verdict, reason=IN_KELVIN)
-    if there.is_proved and any(_is_of_kelvins(values[n], state) for n in behind & values.keys()):
-        return replace(verdict, reason=BESIDE_KELVIN)
-    if there.is_proved:
-        is_meant = (is_same and not names(right.node)) or any(_adds_zero(node) for node in nodes)
-        decision = Decision(PROVED, order=there.order) if is_meant else Decision(UNDECIDED, OPEN)
-        return describe(state.document, chain, k, decision)
-    return verdict
+    if not there.is_proved:
+        return verdict
+    given = [values[name] for name in behind & values.keys()]
+    against = IN_KELVIN if any(_is_quotient(node, values) for node in nodes) else ""
+    against = against or (BESIDE_KELVIN if any(_is_of_kelvins(node, state) for node in given) else "")
+    if against:
+        return replace(verdict, reason=against)
+    is_meant = (is_same and not names(right.node)) or any(_adds_zero(node) for node in nodes)
+    decision = Decision(PROVED, order=there.order) if is_meant else Decision(UNDECIDED, OPEN)
+    return describe(state.document, chain, k, decision)
 
 
 def _side_in_degrees(side: Side) -> Side:
