@@ -10,8 +10,8 @@ PROVED = ("holds", "holds_to_order", "conditional")
 ROOT = "$\\sqrt{1-\\lambda^2\\sin^2\\theta} \\approx "
 TO_SECOND = "1 - \\frac{\\lambda^2}{2}\\sin^2\\theta$."
 DISPLACEMENT = (
-    "The piston displacement is $x = r(1-\\cos\\theta) + l(1 - \\sqrt{1 - \\lambda^2\\sin^2\\theta})$ with "
-    "$\\lambda = r/l$. "
+    "The piston displacement is $x = r(1-\\cos\\theta) + l(1 - \\sqrt{1 - \\lambda^2\\sin^2\\theta})$ "
+    "with $\\lambda = r/l$. "
 )
 CUT = "$x \\approx r(1 - \\cos\\theta) + \\frac{r\\lambda}{2}\\sin^2\\theta$."
 ROD = "The rod swings at β with sin β = λ sin θ. "
