@@ -15,7 +15,12 @@ DISPLACEMENT = (
 )
 CUT = "$x \\approx r(1 - \\cos\\theta) + \\frac{r\\lambda}{2}\\sin^2\\theta$."
 ROD = "The rod swings at β with sin β = λ sin θ. "
+MOTION = "$a \\approx r\\omega^2(\\cos\\theta + \\lambda\\cos 2\\theta)$."
 WRONG = (
+    "Keeping terms up to λ^4, √(1 − λ² sin²θ) ≈ 1 − λ²/2 sin²θ.",
+    "To fourth order in x, cos x ≈ 1 − x²/2.",
+    "With λ = r/l and terms up to λ³, the piston acceleration is " + MOTION,
+    "λ = r/l. To third order in λ the piston displacement is " + CUT,
     "To second order in x: e^x ≈ 1 + x.",
     "To third order in x: sin x ≈ x.",
     "Up to fourth order √(1 − λ² sin²θ) ≈ 1 − λ²/2 sin²θ.",
@@ -40,6 +45,12 @@ WRONG = (
     ROD + "To third order in λ, $\\beta \\approx \\lambda\\sin\\theta$.",
 )
 RIGHT = (
+    "Keeping terms up to λ^2, √(1 − λ² sin²θ) ≈ 1 − λ²/2 sin²θ.",
+    "To second order in x, cos x ≈ 1 − x²/2.",
+    "To first order in x, 1 − cos x ≈ x²/2.",
+    "With λ = r/l and neglecting λ³ and higher, the piston acceleration is " + MOTION,
+    "λ = r/l. To second order in λ the piston displacement is " + CUT,
+    "Neglecting λ⁴, cos β ≈ 1 − λ²/2 sin²θ.",
     "To second order in x: e^x ≈ 1 + x + x²/2.",
     "To first order in x: e^x ≈ 1 + x.",
     "To second order in x: sin x ≈ x.",
@@ -73,6 +84,9 @@ RIGHT = (
 )
 
 
+OPEN = ("Neglecting λ⁵, cos β ≈ 1 − λ²/2 sin²θ.",)
+
+
 def _last(tmp_path, text):
     page = tmp_path / "page.md"
     page.write_text(text + "\n", encoding="utf-8")
@@ -87,3 +101,8 @@ def test_a_cut_below_the_order_named_is_refuted(tmp_path, text):
 @pytest.mark.parametrize("text", RIGHT)
 def test_a_cut_at_the_order_named_holds(tmp_path, text):
     assert _last(tmp_path, text) in PROVED
+
+
+@pytest.mark.parametrize("text", OPEN)
+def test_what_is_proved_through_a_lower_order_alone_is_open(tmp_path, text):
+    assert _last(tmp_path, text) == "undecided"

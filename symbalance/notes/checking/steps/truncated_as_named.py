@@ -6,10 +6,12 @@ harmonics nothing is said here: "up to the second order" may be of 2θ.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from symbalance.document.formula import Call, Constant, Formula, Name, Number, Product, names, walk
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.descriptions import describe
-from symbalance.notes.checking.deciding.named_truncations import decide_through
+from symbalance.notes.checking.deciding.named_truncations import decide_proof_through, decide_through
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import PREMISE, PROVED_WORDS, UNDECIDED, Verdict
 from symbalance.notes.checking.words.orders_named import order_named
@@ -45,7 +47,14 @@ def unless_of_lower_order(state: JudgingState, chain: Chain, k: int, verdict: Ve
         small = own
     if len(small) != 1:
         return verdict
-    decision = decide_through(left, right, knowledge, small[0], named.order)
+    own_line = knowledge.definitions.get(left.name) if isinstance(left, Name) else None
+    is_own = own_line is not None and own_line.line in chain.lines  # it is what it is defined to be here
+    decision = None if is_own else decide_through(left, right, knowledge, small[0], named.order)
+    if not (decision and decision.is_proved) and verdict.decision and verdict.verdict in PROVED_WORDS:
+        by_proof = decide_proof_through(verdict.decision, right, small[0], named.order)
+        decision = by_proof or decision
+        if decision is not None and not decision.is_proved and verdict.assumption:
+            decision = replace(decision, reason=f"{decision.reason}; if {verdict.assumption}")
     is_left = decision is None or (decision.is_proved and verdict.verdict in PROVED_WORDS)
     return verdict if is_left or decision is None else describe(state.document, chain, k, decision)
 
