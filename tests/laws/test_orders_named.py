@@ -45,6 +45,8 @@ WRONG = (
     ROD + "To third order in λ, $\\beta \\approx \\lambda\\sin\\theta$.",
 )
 RIGHT = (
+    "F = 9650 N. The weight takes half of it, up to the first order: $\\frac12 F \\approx 4825$ N.",
+    "λ = 0.25. To first order in λ the factor is $1 + λ \\approx 1.25$.",
     "Keeping terms up to λ^2, √(1 − λ² sin²θ) ≈ 1 − λ²/2 sin²θ.",
     "To second order in x, cos x ≈ 1 − x²/2.",
     "To first order in x, 1 − cos x ≈ x²/2.",

@@ -11,6 +11,7 @@ from dataclasses import replace
 from symbalance.document.formula import Call, Constant, Formula, Name, Number, Product, names, walk
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.named_truncations import decide_proof_through, decide_through
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import PREMISE, PROVED_WORDS, UNDECIDED, Verdict
@@ -43,10 +44,10 @@ def unless_of_lower_order(state: JudgingState, chain: Chain, k: int, verdict: Ve
         return verdict
     elif verdict.decision is not None and verdict.decision.expanded_in in own:
         small = [verdict.decision.expanded_in]
-    elif not small and len(own) == 1:
+    elif not small and len(own) == 1 and names(left) == names(right):
         small = own
-    if len(small) != 1:
-        return verdict
+    if len(small) != 1 or (not names(right) and _has_number(small[0], knowledge)):
+        return verdict  # of ½ F_1 ≈ 4825 N nothing is cut off
     own_line = knowledge.definitions.get(left.name) if isinstance(left, Name) else None
     is_own = own_line is not None and own_line.line in chain.lines  # it is what it is defined to be here
     decision = None if is_own else decide_through(left, right, knowledge, small[0], named.order)
@@ -57,6 +58,12 @@ def unless_of_lower_order(state: JudgingState, chain: Chain, k: int, verdict: Ve
             decision = replace(decision, reason=f"{decision.reason}; if {verdict.assumption}")
     is_left = decision is None or (decision.is_proved and verdict.verdict in PROVED_WORDS)
     return verdict if is_left or decision is None else describe(state.document, chain, k, decision)
+
+
+def _has_number(name: str, knowledge: Knowledge) -> bool:
+    """Tell whether a letter has its value by the page: a number behind it is then a result."""
+    definition = knowledge.definitions.get(name)
+    return definition is not None and not names(definition.node)
 
 
 def _shown(name: str) -> str:
