@@ -73,12 +73,16 @@ def numeral(number: Number) -> str:
 
     >>> numeral(Number(Fraction(201, 50), Fraction(1, 100))), numeral(Number(Fraction(1, 3)))
     ('4.02', '')
+    >>> numeral(Number(Fraction("293.15"), Fraction(3, 10)))
+    '293.15'
     """
     value, place = number.value, number.last_place
     if place is None:
         return str(abs(value.numerator)) if value.denominator == 1 else ""
     decimals = _decimals(place)
     steps = abs(value) / place
+    if decimals is None and (100 * value).denominator == 1:
+        return f"{float(abs(value)):g}" if abs(value) < 10**4 else ""
     if decimals is None or steps.denominator != 1:
         return ""
     places = max(decimals, 1)

@@ -47,6 +47,7 @@ from symbalance.notes.reading.markup.type_settings import (
 )
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten, Span
 from symbalance.notes.reading.spellings.and_so_on import with_dots
+from symbalance.notes.reading.spellings.bracketed_divisors import with_bracketed_divisors
 from symbalance.notes.reading.spellings.cases_in_words import with_conditions_apart
 from symbalance.notes.reading.spellings.division_colons import with_divisions
 from symbalance.notes.reading.spellings.joined_units import with_joined_units
@@ -187,6 +188,7 @@ def prepare(
         with_times_in_one,
         with_words_apart,
         with_sums_of_units,
+        with_bracketed_divisors,
     ):
         reader.apply(rewrite(reader.text))
     reader.apply(with_sigma_sums(reader.text, is_letter))

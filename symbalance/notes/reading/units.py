@@ -32,6 +32,7 @@ _OTHER: dict[str, Fraction] = {
     "kp": Fraction(980665, 10**5), "kgf": Fraction(980665, 10**5), "PS": Fraction(73549875, 10**5),
     "psi": Fraction(44482216152605, 10**13) / Fraction(254, 10**4) ** 2, "mph": Fraction(44704, 10**5),
     "tf": Fraction(980665, 100),
+    "mol": Fraction(1), "kmol": Fraction(1000),
     "mi": Fraction(1609344, 1000), "knot": Fraction(1852, 3600), "knots": Fraction(1852, 3600),
     }  # fmt: skip
 """A ton is the long one of 2240 lb; where a page converts one, the short and the metric ton count too."""
@@ -329,9 +330,30 @@ def _size(word: str, unit: str) -> Fraction | None:
     return _UNITS.get(word) or (_IN_COMPOUNDS.get(word) if word != unit else None)
 
 
+_BELOW = re.compile(
+    r"/(?:\s|~|\\[,;: ])*\((?P<parts>[^()/]{1,40})(?:/\s*(?P<above>[^()/\s]{1,8})\s*)?\)(?![\w^²³])"
+)
+_BETWEEN = re.compile(r"(?:\s|~|\\[,;: ]|[·⋅*.]|\\(?:cdot|times)(?![A-Za-z]))+")
+
+
+def divisors_apart(unit: str) -> str:
+    """Return a unit with a stroke before each part below its stroke, where brackets hold several.
+
+    >>> divisors_apart("J/(kg K)"), divisors_apart("N/(m/s)"), divisors_apart("N/m")
+    ('J/kg/K', 'N s/m', 'N/m')
+    """
+
+    def apart(match: re.Match[str]) -> str:
+        parts = [part for part in _BETWEEN.split(match["parts"].strip()) if part]
+        above = f" {match['above']}" if match["above"] else ""
+        return above + "".join(f"/{part}" for part in parts)
+
+    return _BELOW.sub(apart, unit) if "(" in unit else unit
+
+
 def _plain(unit: str) -> str:
     """Return a unit without LaTeX: one space between the parts of a product."""
-    text = re.sub(r"\\mu\s*", "u", _INNER_FONT.sub("", unit))
+    text = re.sub(r"\\mu\s*", "u", _INNER_FONT.sub("", divisors_apart(unit)))
     text = _RAISED_RUN.sub(lambda match: "^" + match.group(), text)
     text = _SEPARATOR.sub(" ", text.translate(_RAISED))
     text = _RAISED_PART.sub(r"\1 ", text.replace("{", "").replace("}", ""))

@@ -172,6 +172,8 @@ from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_plac
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
+from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
+from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -182,7 +184,9 @@ from symbalance.notes.checking.units.own_units import with_speeds
 from symbalance.notes.checking.units.plain_letters import PlainLetters
 from symbalance.notes.checking.units.rates_by_name import rate_dimension, turns_for_radians
 from symbalance.notes.checking.units.speeds_as_numbers import without_minutes
+from symbalance.notes.checking.units.temperatures import with_temperatures
 from symbalance.notes.checking.units.turns_in_radians import with_turns
+from symbalance.notes.checking.units.turns_of_results import refute_turns
 from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
 from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
 from symbalance.notes.checking.verdicts import (
@@ -242,6 +246,8 @@ _LAST: tuple[_Look, ...] = (
     unless_no_forced_motion,
     unless_another_polynomial,
     unless_of_other_words,
+    unless_in_degrees,
+    unless_of_lower_order,
 )
 """What does so once a relation has been read in its case and its row."""
 
@@ -268,7 +274,8 @@ class Judge:
         self.document = replace(self.document, text=shown, as_typed=text)
         data = data_of(self.document, symbols_at)
         chains = (*self.document.chains, *data)
-        every = with_turns(with_speeds(replace(self.document, chains=chains), symbols_at)).chains
+        every_chain = with_temperatures(replace(self.document, chains=chains))
+        every = with_turns(with_speeds(every_chain, symbols_at)).chains
         self.document = replace(self.document, chains=every[: len(self.document.chains)])
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
@@ -1030,7 +1037,8 @@ class Judge:
         unlike = [unlike_terms(node) for node in chain.sides[k + 1].readings]
         if all(unlike) and chain.relations[k].sign in "=≈":
             return Decision(REFUTED, unlike[0])
-        if (of_rate := self._unlike_unit(chain, k)) is not None:
+        of_rate = self._unlike_unit(chain, k)
+        if (of_rate := of_rate or self._turned_wrongly(chain, k, knowledge)) is not None:
             return of_rate
         if against == k and (by_words := self._unlike_unit_behind(chain, k, knowledge)) is not None:
             return by_words
@@ -1058,6 +1066,11 @@ class Judge:
                 witness = {"left": unit_text(mismatches[0].left), "right": unit_text(mismatches[0].right)}
                 return Decision(REFUTED, mismatches[0].reason, witness=witness)
         return None
+
+    def _turned_wrongly(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Refute radians by the second in a unit of turns, and turns in one of radians."""
+        dimensions = self._dimensions(chain, k, knowledge)
+        return refute_turns(chain, k, self.document, dimensions, knowledge)
 
     def _is_quantity(self, side: Side) -> bool:
         """Tell whether a side is a number with a unit behind it."""

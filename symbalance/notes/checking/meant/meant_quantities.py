@@ -166,7 +166,10 @@ class MeantQuantities:
             for each in frames:
                 if (agreeing := self._agreeing(chain, k, name, named, each)) is not None:
                     return agreeing
-            return self._with_slip(chain, k, name, named, frames[-1])
+            slip = self._with_slip(chain, k, name, named, frames[-1])
+            if slip is not None and slip.verdict == REFUTED:
+                return slip
+            return self._from_top_instead(chain, k, named, frames) or slip
 
         try:
             return run_within(SEARCH, verdict, SHARE)
@@ -321,6 +324,8 @@ class MeantQuantities:
             *letters_text(used, self.words.proposals),
             *(_usual(n, crank) for n in sorted(usual)),
         )
+        if self.words.has_angle_from_bottom:
+            texts = (*texts, f"{plain_letter(crank.theta.name)} counts from bottom dead centre")
         law = self.words.law_of_angle(crank.theta, crank.time, line)
         if law and isinstance(crank.omega, Name):
             speed = f"{plain_letter(crank.omega.name)} is the angular speed, "
@@ -372,6 +377,32 @@ class MeantQuantities:
             return replace(decision, assumptions=(text, *assumptions, *decision.assumptions))
         return None
 
+    def _from_top_instead(
+        self, chain: Chain, k: int, named: Named | None, frames: list[_Frame]
+    ) -> Decision | None:
+        """Return that a formula is right for the angle from the top, where a page counts otherwise."""
+        if not self.words.has_angle_from_bottom:
+            return None
+        right, sign = chain.sides[k + 1], chain.relations[k].sign
+        for known, crank, assumptions in frames:
+            if not isinstance(crank.theta, Name):
+                continue
+            theta = crank.theta
+            back = Sum((theta, Negative(Constant("pi"))))
+            for role, turned in self._targets(named, crank, None):
+                target = substitute(turned, theta.name, back)
+                if not _is_near(target, right, known, crank):
+                    continue
+                decision = decide(Side((target,), right.span), right, sign, known)
+                if decision.is_proved and not _is_first_order(decision):
+                    letter = plain_letter(theta.name)
+                    reason = (
+                        f"it is the {role} if {letter} counts from top dead centre; by the page's words"
+                    )
+                    reason += f" {letter} counts from bottom dead centre"
+                    return Decision(UNDECIDED, "; ".join((reason, *assumptions)))
+        return None
+
     def _place(self, name: str, chain: Chain, named: Named | None) -> int | None:
         """Return the dead centre that a value without an angle is of: 0 top, 1 bottom, None for none."""
         if named is None or not named.role:
@@ -397,7 +428,9 @@ class MeantQuantities:
         for role in roles:
             for sign in (1, -1) if role in _EITHER_SIGN else (1,):
                 target = quantities[role] if sign > 0 else Negative(quantities[role])
-                if place is not None and isinstance(crank.theta, Name):
+                if place is None and self.words.has_angle_from_bottom and isinstance(crank.theta, Name):
+                    target = substitute(target, crank.theta.name, Sum((crank.theta, Constant("pi"))))
+                elif place is not None and isinstance(crank.theta, Name):
                     angle: Formula = Constant("pi") if place else Number(Fraction(0))
                     target = substitute(target, crank.theta.name, angle)
                 yield role, target
@@ -463,7 +496,8 @@ class MeantQuantities:
 
     def _from_bottom(self, chain: Chain, k: int, named: Named, known: Knowledge, crank: Geometry) -> bool:
         """Tell whether a formula is right where the crank angle is counted from bottom dead centre."""
-        if not self.words.counts_from_bottom or not isinstance(crank.theta, Name):
+        is_open = self.words.counts_from_bottom and not self.words.has_angle_from_bottom
+        if not is_open or not isinstance(crank.theta, Name):
             return False
         turned = Sum((crank.theta, Constant("pi")))
         right = chain.sides[k + 1]

@@ -118,6 +118,27 @@ TRAVEL_FROM_TOP = re.compile(
 _ANGLE_FROM_BOTTOM = re.compile(
     rf"{_ANGLE_FROM}(?:bottom|lower|outer) dead|{_ANGLE_FROM}\b(?:BDC|UT)\b", re.I
 )
+_COUNTED = (
+    r"(?:counted|measured|reckoned|taken|zero|gezählt|gemessen|gerechnet|zählt|misst|compté|mesuré"
+    r"|se\smide|se\scuenta|medido|misurato|contato|si\smisura)"
+)
+_AWAY = (
+    r"(?:from|at|von|vom|ab|à\spartir\sd[eu]|at\spartir\sof|depuis|desde|dal|a\spartire\sdal)"
+    r"\s(?:(?:the|der|dem|le|el|il)\s)?"
+)
+_LOWEST = (
+    r"(?:(?:bottom|lower|outer)\sdead|(?:BDC|UT|PMB)\b|unteren?\sTotpunkt|point\smort\sbas"
+    r"|punto\smuerto\sinferior|punto\smorto\sinferiore)"
+)
+_ANGLE = r"(?:angle|winkel|ángulo|angolo|θ|ϑ|φ|ϕ|\\(?:var)?(?:theta|phi))"
+_SURELY_FROM_BOTTOM = re.compile(
+    rf"{_ANGLE}[^.;\n]{{0,60}}?\b{_COUNTED}\s(?:[\w]+\s){{0,2}}?{_AWAY}{_LOWEST}"
+    rf"|{_ANGLE}[^.;\n]{{0,40}}?\s{_AWAY}{_LOWEST}[^.;\n]{{0,12}}?\s{_COUNTED}"
+    rf"|(?<![^\W\d_])(?:with|mit|avec|con|where|the\sangle)\s\$?{_ANGLE}\$?\s{_AWAY}{_LOWEST}"
+    r"|角[^。\n]{0,20}下死点から(?:測|数|計|取|と)|下死点から(?:測|数|計|取)[^。\n]{0,12}角",
+    re.IGNORECASE,
+)
+"""Words by which the crank angle is zero at the bottom dead centre."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,6 +191,14 @@ class MeantWords:
         if _ANGLE_FROM_TOP.search(self.page) and not _ANGLE_FROM_BOTTOM.search(self.page):
             return False
         return _BOTTOM.search(self.page) is not None
+
+    @cached_property
+    def has_angle_from_bottom(self) -> bool:
+        """Tell whether the page says that its crank angle counts from bottom dead centre."""
+        texts = (self.document.text, self.page)
+        if any(_ANGLE_FROM_TOP.search(text) for text in texts):
+            return False
+        return any(_SURELY_FROM_BOTTOM.search(text) is not None for text in texts)
 
     @cached_property
     def travels_from_top(self) -> bool:

@@ -25,7 +25,7 @@ from symbalance.notes.checking.units.sizes_by_words import unit_by_words
 from symbalance.notes.reading.markup import siunitx
 from symbalance.notes.reading.spellings.joined_units import may_be_of_milliseconds, signs_apart
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
-from symbalance.notes.reading.units import GRAVITY
+from symbalance.notes.reading.units import GRAVITY, divisors_apart
 from symbalance.text import lazy_patterns as re
 
 Dimension = tuple[Fraction, ...]
@@ -53,6 +53,7 @@ _UNITS: dict[str, Dimension] = {
 _WHOLE_UNITS: dict[str, Dimension] = {
     "min": _dimension(s=1), "h": _dimension(s=1), "bar": _dimension(1, -1, -2), "rpm": _dimension(s=-1),
     "rps": _dimension(s=-1), "rev": NONE, "r": NONE, "U": NONE, "deg": NONE, "°": NONE, "1": NONE,
+    "mol": NONE, "kmol": NONE,
     "%": NONE, "t": _dimension(kg=1), "l": _dimension(m=3), "L": _dimension(m=3),
     "Nmm": _dimension(1, 2, -2), "kNm": _dimension(1, 2, -2), "degrees": NONE, "radians": NONE,
     **dict.fromkeys(words("gmm kgmm gcm kgcm mkg cmkg"), _dimension(kg=1, m=1)),
@@ -232,6 +233,8 @@ def written_unit(source: str) -> tuple[bool, str]:
     ((True, 's^-1'), (True, 'kg m^2'))
     >>> written_unit(r"1.8\cdot10^{9}\,\mathrm{N}"), written_unit("1.8·10⁹ N")
     ((True, 'N'), (True, 'N'))
+    >>> written_unit("287 J/(kg K)"), written_unit(r"1\,\mathrm{kJ/(kg\,K)}")
+    ((True, 'J/kg/K'), (True, 'kJ/kg/K'))
     >>> written_unit(r"2\,\mathrm{\frac{kg\,m}{s^{2}}}")
     (True, 'kg m/s^2')
     """
@@ -241,7 +244,7 @@ def written_unit(source: str) -> tuple[bool, str]:
     typed = _TYPED.search(source)
     if typed is not None:
         source = f"{typed['number']} {siunitx.unit_text(typed['unit']) or '?'}"
-    source = _POWER_OF_TEN.sub(r"\g<number>", source)
+    source = divisors_apart(_POWER_OF_TEN.sub(r"\g<number>", source))
     plain = _BEFORE_EXPONENT.sub("^", _SETTING.sub(" ", _EXPONENT.sub(r"^\1", source)))
     match = _QUANTITY.match(plain)
     if match is None:

@@ -94,6 +94,7 @@ def _chain(
     name = head.name if isinstance(head, Name) else None
     role = role_of(symbols.get(name, "")) if name else ""
     is_angular = role == ANGULAR or name in ANGULAR_LETTERS
+    is_angular = is_angular or (name is not None and not role and _stem(name) in ANGULAR_LETTERS)
     counted = _speeds_in(chain, speeds) if name is None else set()
     by_minute = name is None and any(map(_is_of_sixty, chain.sides))
     as_number = (

@@ -903,13 +903,27 @@ def _join_spans(
             if has_relation(text, first, cut):
                 spans.append((first, cut))
                 first = before
-            elif text[cut] == "\\" or is_quantity(text[first:cut]):
+            elif text[cut] == "\\" or is_quantity(text[first:cut]) or _ends_order_named(text, first, cut):
                 first = before
         if prose:
             spans.append((first, at))
             first = after
         before, cut = after, at
     return spans
+
+
+_ORDER_NAMED = re.compile(
+    r"(?:(?:orders?|powers?|terms|Ordnung|Potenz|Glieder|ordre|orden|ordine)\s(?:in|of|en|von)|up\sto|through"
+    r"|neglecting|ignoring|dropping|omitting|bis(?:\szu)?|Vernachlässigung\svon|jusqu['’]à|négligeant)\s\Z",
+    re.IGNORECASE,
+)
+_LETTER_OR_POWER = re.compile(r"\s*[A-Za-zα-ωϑϕ](?:\s?\^\s?\{?[1-9]\}?|[²³⁴⁵⁶])?\s*")
+
+
+def _ends_order_named(text: str, start: int, end: int) -> bool:
+    """Tell whether words that name an order end in a letter or power: to second order in x, cos x ≈ 1."""
+    is_lone = _LETTER_OR_POWER.fullmatch(text, start, end) is not None
+    return is_lone and _ORDER_NAMED.search(text[max(start - 40, 0) : start]) is not None
 
 
 def _before_words(text: str, start: int, end: int, words: Vocabulary) -> int:

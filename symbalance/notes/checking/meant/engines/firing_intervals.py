@@ -107,6 +107,9 @@ def decide_order_frequency(claims: EngineClaims, chain: Chain, k: int) -> Decisi
         number = product_of(value).number * 60 / speed
     except NoProductError:
         return None
+    typed = claims.words.document.source(chain.sides[1].span)
+    if typed.strip(" $").startswith(str(speed)) and words.count(str(speed)) == 1:
+        return None  # the order at n = 3000 rpm: it is the speed itself, which nothing else names
     text = (
         f"{plain_letter(head.name)} is the frequency of the order {order} at {speed} turns a minute"
         f" ({NOBODY}; taken from the words “{_FREQUENCY.findall(words)[-1]}”)"

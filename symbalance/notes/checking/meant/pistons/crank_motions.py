@@ -386,9 +386,14 @@ class CrankMotions:
         return None
 
     def _counted(self, motion: Motion, named: NamedMotion) -> Iterator[Motion]:
-        """Yield a motion, and with the crank angle counted from the bottom where the page may do so."""
-        yield motion
-        if self.counts_from_elsewhere and not named.places[0] and named.kind in TURNED:
+        """Yield a motion, and with the crank angle counted from the bottom where the page may do so.
+
+        Where it says that it does, the angle is counted from nowhere else.
+        """
+        may_turn = not named.places[0] and named.kind in TURNED
+        if not (may_turn and self.words.has_angle_from_bottom):
+            yield motion
+        if may_turn and (self.counts_from_elsewhere or self.words.has_angle_from_bottom):
             turned = {"theta": Name("theta") + PI}
             shifted = (
                 tuple(with_roles(n, turned) for n in nodes) for nodes in (motion.exact, motion.rough)
@@ -427,7 +432,8 @@ class CrankMotions:
 
         `is_sole` tells whether the page leaves one reading of its ratio.
         """
-        if self.counts_from_elsewhere and not named.places[0]:
+        is_elsewhere = self.counts_from_elsewhere or self.words.has_angle_from_bottom
+        if is_elsewhere and not named.places[0]:
             return None
         by_head = self._with_other_function(case, named, motion, reading)
         if by_head is not None:

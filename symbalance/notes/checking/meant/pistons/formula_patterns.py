@@ -244,6 +244,8 @@ class FormulaPatterns:
 
         By the other series of the section that agree, or as words say.
         """
+        if self.words.has_angle_from_bottom:
+            return frozenset({_QUARTERS // 2})
         if self.words.counts_from_bottom or _FROM_ELSEWHERE.search(self.document.text):
             return frozenset()
         starts = set(range(_QUARTERS))
