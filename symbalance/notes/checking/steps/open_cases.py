@@ -171,7 +171,8 @@ def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     Where the number is given as one of its own sentence, "for k = 1/3 < 1/2", the range is claimed of it.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    if len(chain.letters) == 1 and _is_supposed(state, chain):
+    is_supposed = len(chain.letters) == 1 and _is_supposed(state, chain)
+    if is_supposed or _is_behind_case(state, chain, knowledge):
         return True
     letters = [side for side in (left, right) if isinstance(side, Name)]
     if len(letters) != 1 or names(left) & names(right):
@@ -194,10 +195,32 @@ def _is_supposed(state: JudgingState, chain: Chain) -> bool:
     return not is_drawn and _ARROW_BEHIND.match(text, chain.end) is not None
 
 
-def letters_supposed(state: JudgingState, chain: Chain) -> frozenset[str]:
-    """Return the letter of a range that an arrow leads from to a relation, which is claimed of its values.
+def _is_behind_case(state: JudgingState, chain: Chain, knowledge: Knowledge) -> bool:
+    """Tell whether a range is said of a case right before it, of a letter that has a number above.
 
-    So is what stands behind "for ε < 2° we have". None where an arrow leads to that range too.
+    After ε = 11.6°: for ε < 2° we have F < 0.035 F_0. What ε is above says nothing of it.
+    """
+    before = state.sections.chain_before(chain.start)
+    if before is None or len(before.letters) != 1 or not before.relations:
+        return False
+    (letter,) = before.letters
+    definition = knowledge.definitions.get(letter)
+    between = state.document.text[before.end : chain.start]
+    is_case = all(relation.sign in SATISFIED_BY for relation in before.relations)
+    return (
+        is_case
+        and definition is not None
+        and definition.numeric
+        and definition.line < before.lines[0]
+        and _WE_HAVE.fullmatch(between) is not None
+        and state.sections.opens_case(before)
+    )
+
+
+def letters_supposed(state: JudgingState, chain: Chain) -> frozenset[str]:
+    """Return the letter of a range from which an arrow leads to a relation, claimed of all its values.
+
+    None where an arrow leads to that range too.
     """
     before = state.sections.chain_before(chain.start)
     if before is None or not before.relations or len(before.letters) != 1:
@@ -205,7 +228,6 @@ def letters_supposed(state: JudgingState, chain: Chain) -> frozenset[str]:
     is_range = all(relation.sign in SATISFIED_BY for relation in before.relations)
     between = state.document.text[before.end : chain.start]
     is_led_to = _ARROW_BEHIND.match(between) is not None and _is_supposed(state, before)
-    is_led_to |= state.sections.opens_case(before) and _WE_HAVE.fullmatch(between) is not None
     return before.letters if is_range and is_led_to else frozenset()
 
 
