@@ -92,7 +92,7 @@ def _products_of(page: ReadNotes, said: Collection[str]) -> Iterator[str]:
     for chain in page.chains:
         for first, second in pairwise(side.node for side in chain.sides):
             for head, other in ((first, second), (second, first)):
-                is_product = isinstance(other, Product) and names(other) <= {*said}
+                is_product = isinstance(other, Product) and set() < names(other) <= {*said}
                 if is_product and isinstance(head, Name) and head.name[:1].isupper():
                     yield head.name
 
