@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from symbalance.budgets import Budget, OverBudgetError, run_within
-from symbalance.document.formula import Name
+from symbalance.document.formula import Name, parts_of_kind
 from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.declared.symbols import meaning_of
@@ -68,6 +68,7 @@ _OWN_SPACE = re.compile(
     r"\{(?:\s|\\[,;:! ]|\\q?quad(?![a-z])|\\hspace\*?\{[^{}]*\})+\}"
 )
 """A macro of the page's own that is a space: \\newcommand{\\fsp}{\\qquad}."""
+_OR = re.compile(r"[\s$,)]*(?:\\text\s*\{\s*)?(?:or|oder|ou|o|eller|または|\\lor|\\vee|∨)(?![A-Za-z])")
 WRONG = (REFUTED, CONTRADICTION)
 _NOT_READ = f"{TO_ITS_RIGHT} is not read"
 
@@ -218,9 +219,22 @@ class _ArrowJudge:
         if is_wrong:
             why = f"both relations are refuted: whether one follows is not shown{unsaid}"
             return UNDECIDED, why, None
+        if conclusion.verdict == DEFINITION and (product := self._written_as_product(left, right)):
+            return UNDECIDED, f"{product} may be one letter or a product: write a space or a dot", None
         if sign == EQUIVALENT and conclusion.verdict != UNDECIDED:
             return UNDECIDED, f"the converse, from right to left, is not shown{unsaid}", None
         return by_conclusion
+
+    def _written_as_product(self, left: Chain, right: Chain) -> str:
+        """Return a word that was read as one letter and holds the conclusion's lone letter, ab and a."""
+        head = right.sides[0].node
+        if not isinstance(head, Name) or len(plain_letter(head.name)) > 1:
+            return ""
+        if _OR.match(self.page.text, right.end):
+            return ""
+        words = (part for side in left.sides for part in parts_of_kind(side.node, Name))
+        typed = (self.page.typed(word.span) for word in words if word.name != head.name)
+        return next((t for t in typed if t.isalpha() and plain_letter(head.name) in t), "")
 
     def _by_conclusion(self, right: Chain, conclusion: Verdict) -> tuple[str, str]:
         """Return the verdict and reason of an arrow as those of the relation to its right."""

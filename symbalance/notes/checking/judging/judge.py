@@ -30,6 +30,7 @@ from symbalance.notes.checking.deciding.remainders import is_remainder
 from symbalance.notes.checking.declared.engines import Sources
 from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
+from symbalance.notes.checking.judging.bars_and_means import unless_under_bars
 from symbalance.notes.checking.judging.by_own_words import unless_of_other_words
 from symbalance.notes.checking.judging.denied_relations import verdict_on_denied
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
@@ -41,6 +42,7 @@ from symbalance.notes.checking.judging.one_relation import FOLLOWS, FROM_SOUND, 
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
 from symbalance.notes.checking.judging.units_of_results import blame_unit
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
+from symbalance.notes.checking.judging.vectors_and_matrices import unless_of_arrays
 from symbalance.notes.checking.judging.worded_cases import by_numbers_spoken_of
 from symbalance.notes.checking.meant.given_numbers import number_given, size_given
 from symbalance.notes.checking.meant.meant_words import NOBODY
@@ -248,6 +250,8 @@ _LAST: tuple[_Look, ...] = (
     unless_of_other_words,
     unless_in_degrees,
     unless_of_lower_order,
+    unless_of_arrays,
+    unless_under_bars,
 )
 """What does so once a relation has been read in its case and its row."""
 

@@ -56,6 +56,10 @@ def _factor(
     if not (_has_letters(domain, first) and _has_letters(domain, second)):
         is_identity = not second.numerator and not (is_both_ways and first.numerator)
         return () if is_identity and turning == 0 else None
+    if turning == 0 and len(first.numerator) == len(second.numerator) == 1:
+        own, other = ({*_letters(domain, next(iter(form.numerator)))} for form in (first, second))
+        if None not in own | other:
+            return _of_vanishing(domain, own, other, positive, is_both_ways)
     factor, monomial = _ratio(domain, first.numerator, second.numerator)
     multiple = poly.times(domain, first.numerator, {monomial: factor})
     is_multiple = is_zero(domain, poly.minus(second.numerator, multiple)) is True
@@ -66,6 +70,25 @@ def _factor(
     if not is_multiple or None in letters or (is_both_ways and domain.assumptions):
         return None  # |x| = 3 and x = 3 are one relation for x ≥ 0 only
     unequal = [f"{plain_text(Name(name))} ≠ 0" for name in letters if name and name not in positive]
+    return (*domain.assumptions, *unequal)
+
+
+def _of_vanishing(
+    domain: Domain,
+    first: set[str | None],
+    second: set[str | None],
+    positive: frozenset[str],
+    is_both_ways: bool,
+) -> tuple[str, ...] | None:
+    """Return on what conditions a product of letters vanishes because another one does: a b = 0, a = 0.
+
+    One of the first product's letters is zero; of those that the second one lacks it is a condition that
+    they are not, unless that leaves none.
+    """
+    if not (first & second) - positive:
+        return None
+    apart = first ^ second if is_both_ways else first - second
+    unequal = [f"{plain_text(Name(n))} ≠ 0" for n in sorted(n for n in apart - positive if n)]
     return (*domain.assumptions, *unequal)
 
 

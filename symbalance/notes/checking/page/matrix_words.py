@@ -6,6 +6,7 @@ Where others stand beside them of which nobody says what they are, nothing is kn
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
@@ -23,7 +24,7 @@ _MORE = "".join(
     rf"(?:\s*(?:,|,?\s+(?:and|und|et|y))\s*{_LETTER % (name, name + '_index')})?" for name in _MEMBERS[1:]
 )
 _SAID = re.compile(
-    rf"(?<![A-Za-z])(?:matri(?:x|ces)|Matri(?:x|zen)|行列){_LETTER % ('first', 'first_index')}{_MORE}"
+    rf"(?<![A-Za-z])(?:[Mm]atri(?:x|ces|zen)|[Mm]atrici|行列){_LETTER % ('first', 'first_index')}{_MORE}"
 )
 
 _WORD = (
@@ -76,11 +77,24 @@ def with_matrix_letters(page: ReadNotes, declarations: Declarations) -> Declarat
         is_said = _OF_ANY.search(page.text[max(begin - _LONGEST, 0) : begin].rstrip(" $\\(["))
         if is_said and all(name[:1].isupper() and name not in declared for name in chain.letters):
             said |= dict.fromkeys(chain.letters, "matrix")
+    for name in list(_products_of(page, said)):
+        if name not in declared:
+            said[name] = "matrix"
     for chain in page.chains:
         own = chain.letters & said.keys()
         if own and not set(chain.letters) <= {*said, *declared}:  # M x, where x may be a vector or not
             said = {name: meaning for name, meaning in said.items() if name not in own}
     return replace(declarations, symbols={**declarations.symbols, **said}) if said else declarations
+
+
+def _products_of(page: ReadNotes, said: Collection[str]) -> Iterator[str]:
+    """Yield the capital letters that a page sets equal to products of matrices: C = A B."""
+    for chain in page.chains:
+        for first, second in pairwise(side.node for side in chain.sides):
+            for head, other in ((first, second), (second, first)):
+                is_product = isinstance(other, Product) and set() < names(other) <= {*said}
+                if is_product and isinstance(head, Name) and head.name[:1].isupper():
+                    yield head.name
 
 
 def _of_determinants(page: ReadNotes) -> set[str]:

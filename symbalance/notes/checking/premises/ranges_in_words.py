@@ -1,7 +1,8 @@
 """Ranges that a relation's sentence states in words: θ in the second quadrant, for negative a and b.
 
 They are of that relation, as a condition in signs right behind it would be: nothing is confirmed there
-on a condition that the words deny.
+on a condition that the words deny. A quadrant or an obtuse angle that no letter is named with is that of
+the one angle in the relation. What a sentence of its own says right before, "x is negative.", goes on.
 """
 
 from __future__ import annotations
@@ -12,22 +13,71 @@ from fractions import Fraction
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product
 from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
 from symbalance.notes.checking.deciding.knowledge import Knowledge, StatedRange
-from symbalance.notes.checking.words.case_words import clause_before
+from symbalance.notes.checking.words.case_words import clause_before, clause_start
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
 _QUARTERS = {"first": 0, "second": 1, "third": 2, "fourth": 3, "1st": 0, "2nd": 1, "3rd": 2, "4th": 3,
              "ersten": 0, "zweiten": 1, "dritten": 2, "vierten": 3, "1.": 0, "2.": 1, "3.": 2, "4.": 3,
              "premier": 0, "deuxième": 1, "troisième": 2, "quatrième": 3,
+             "primo": 0, "secondo": 1, "terzo": 2, "quarto": 3,
+             "primer": 0, "segundo": 1, "tercer": 2, "cuarto": 3,
              "一": 0, "二": 1, "三": 2, "四": 3, "1": 0, "2": 1, "3": 2, "4": 3}  # fmt: skip
-_QUADRANT = re.compile(
-    rf"[$)\s]{{0,3}}(?:(?:is|lies|liegt|est)\s+)?(?:in|im|within|dans|が|は)\s*(?:the\s+|le\s+)?第?"
+_WHICH = (
     rf"(?P<which>{'|'.join(map(re.escape, sorted(_QUARTERS, key=len, reverse=True)))})"
-    r"[\s-]*(?:quadrant|象限)",
+    r"[\s-]*(?:quadrant|cuadrante|象限)"
+)
+_WHICH_OF_SIGNS = r"(?P<sign>[一二三四1234])"
+_QUADRANT = re.compile(
+    rf"[$)\s]{{0,3}}(?:(?:is|lies|liegt|est)\s+)?(?:in|im|within|dans|が|は)\s*(?:the\s+|le\s+)?第?{_WHICH}",
     re.IGNORECASE,
 )
+_QUADRANT_ALONE = re.compile(
+    r"(?<![^\W\d_])(?<!not )(?<!nicht )(?<!pas )(?<!non )(?<!no )(?<!or )(?<!and )"
+    r"(?:in|im|within|dans|nel|en)\s+"
+    rf"(?:(?:the|le|el|il)\s+)?{_WHICH}|第{_WHICH_OF_SIGNS}象限",
+    re.IGNORECASE,
+)
+_OBTUSE = re.compile(
+    r"(?<![^\W\d_])(?:obtuse|stumpf\w*|obtus(?:e?s?|[oi]s?|as?)|ottus[oi])(?![^\W\d_])|鈍角",
+    re.IGNORECASE,
+)
+_ACUTE = re.compile(
+    r"(?<![^\W\d_])(?:acute|spitz\w*|aigu(?:s|ë|ës)?|acut[oi]|agud[oa]s?)(?![^\W\d_])|鋭角", re.IGNORECASE
+)
+_NOT = re.compile(
+    r"(?<![^\W\d_])(?:not|non|nicht|kein\w*|pas|no|never|neither|or|oder|ou|ni|unless|except|außer)(?![^\W\d_])|ない|以外",
+    re.IGNORECASE,
+)
+"""Words with which an obtuse angle may be what is not meant."""
+_ANGLE = (
+    r"(?P<{0}>[-−+]?\s*(?:\\frac\s*\{{\s*[0-9]{{0,2}}\s*(?:\\pi|π)?\s*\}}\s*\{{\s*[0-9]{{1,2}}\s*\}}"
+    r"|[0-9]{{0,3}}(?:\.[0-9]{{1,4}})?\s*(?:\\pi|π)?(?:\s*/\s*[0-9]{{1,2}})?)\s*(?:°|\^\s*\{{?\s*\\circ\s*\}}?)?)"
+)
+_IN_INTERVAL = re.compile(
+    r"[$)}\s]{0,3}(?:\\in(?![A-Za-z])|∈)\s*(?:\\left\s*)?[(\[\]]\s*"
+    rf"{_ANGLE.format('from')}\s*[,;]\s*(?:\\[,;]\s*)?{_ANGLE.format('to')}\s*(?:\\right\s*)?[)\]\[]"
+)
+_PARTS = re.compile(
+    r"(?P<sign>[-−+]?)\s*(?:\\frac\s*\{\s*)?(?P<number>[0-9]*(?:\.[0-9]+)?)\s*(?P<pi>\\pi|π)?\s*(?:\}\s*\{|/)?\s*"
+    r"(?P<below>[0-9]+)?\s*\}?\s*(?P<degrees>°|\^.*)?"
+)
+_STATES = re.compile(
+    r"[\s$>*-]*(?:(?:let|here|now|suppose|assume|sei|hier|nun|es\s+sei|soit|ici|sia|qui|sea|aquí|where)(?:\s+that)?\s+)?[\s$\\]*",
+    re.IGNORECASE,
+)
+"""Before the letter of a sentence that only says where it lies."""
+_ENDS_STATEMENT = re.compile(r"[\s$)}]*\.?[\s$]*")
+_OTHERWISE = re.compile(
+    r"(?<![^\W\d_])(?:for|if|when|where|in|positive|non-?negative|otherwise|instead|always|für|wenn|bei|falls|positiv\w*|sonst"
+    r"|pour|si|quand|positif|per|se|positivo|para|cuando|general\w*|allgemein|any|every|all|with|mit)(?![^\W\d_])"
+    r"|場合|とき|一般|正の|常に",
+    re.IGNORECASE,
+)
+"""Words of a clause that may speak of other values than the sentence before it."""
 _DEGREES = r"\$?\s*(?P<{}>-?[0-9]{{1,3}})\s*(?:\^?\s?\{{?\\circ\}}?|°|degrees?|Grad)?\$?"
 _BETWEEN = re.compile(
     rf"[$)\s]{{0,3}}(?:(?:is|lies|liegt|est)\s+)?(?:between|zwischen|entre|tra)\s+{_DEGREES.format('least')}"
@@ -53,12 +103,15 @@ _NO_SIGN = re.compile(
 )
 """Before a letter of what is neither positive nor negative."""
 _MAY_STATE = re.compile(
-    r"quadrant|象限|between|zwischen|entre|tra\s|negativ|négatif|負|comple|komplex|vec|vek|複素|ベクトル",
+    r"quadrant|cuadrante|象限|between|zwischen|entre|tra\s|negativ|négatif|負|comple|komplex|vec|vek|複素|ベクトル"
+    r"|∈|\\in(?![A-Za-z])|obtus|stumpf|ottus|鈍角|acute|spitz|aigu|acut|agud|鋭角",
     re.IGNORECASE,
 )
 """What words have that state a range, or that there is none: they are looked at before every relation."""
 _DEGREE_MARK = re.compile(r"°|circ|degree|Grad", re.IGNORECASE)
 _STRAIGHT = 180
+_BACK = 2
+"""Characters that part two sentences."""
 
 
 def with_ranges_in_words(chain: Chain, document: ReadNotes, knowledge: Knowledge) -> Knowledge:
@@ -79,9 +132,52 @@ def letters_without_sign(chain: Chain, document: ReadNotes) -> frozenset[str]:
 
 def _ranges_in_words(chain: Chain, document: ReadNotes) -> Iterator[StatedRange]:
     words, line = clause_before(document.text, chain.start), chain.lines[0]
-    for name, start, end in _mentions(chain, words):
-        for sign, bound in _of_letter(words, start, end):
-            yield StatedRange(Name(name), sign, bound, line, max(chain.lines))
+    stated = [
+        (name, sign, bound)
+        for name, start, end in _mentions(chain, words)
+        for sign, bound in _of_letter(words, start, end)
+    ]
+    stated += [] if stated else list(_of_one_angle(chain, words))
+    stated += [] if stated else list(_of_sentence_before(chain, document, words))
+    for name, sign, bound in stated:
+        yield StatedRange(Name(name), sign, bound, line, max(chain.lines))
+
+
+def _of_one_angle(chain: Chain, words: str) -> Iterator[tuple[str, str, Formula]]:
+    """Yield the bounds of a relation's only angle by words without a letter: in the second quadrant."""
+    if _MAY_STATE.search(words) is None:
+        return
+    angles = {name for side in chain.sides for name in letters_in_waves(side.node)}
+    if len(angles) != 1:
+        return
+    (angle,) = angles
+    quarters = list(_QUADRANT_ALONE.finditer(words))
+    is_obtuse, is_acute = _OBTUSE.search(words) is not None, _ACUTE.search(words) is not None
+    if len(quarters) == 1:
+        first = 90 * _QUARTERS[(quarters[0]["which"] or quarters[0]["sign"]).lower()]
+    elif is_obtuse != is_acute and not quarters and _NOT.search(words) is None:
+        first = 90 if is_obtuse else 0
+    else:
+        return
+    yield from ((angle, ">", _angle(first)), (angle, "<", _angle(first + 90)))
+
+
+def _of_sentence_before(
+    chain: Chain, document: ReadNotes, words: str
+) -> Iterator[tuple[str, str, Formula]]:
+    """Yield what the sentence right before a relation's own says of a letter, and nothing else."""
+    start = clause_start(document.text, chain.start)
+    before = clause_before(document.text, max(start - _BACK, 0))
+    before = document.text[max(start - _BACK, 0) - len(before) : start]
+    if _OTHERWISE.search(words) or "\n\n" in before[-3:] or not _MAY_STATE.search(before):
+        return
+    for name, first, last in _mentions(chain, before):
+        if _STATES.fullmatch(before, 0, first) is None:
+            continue
+        for way in (_QUADRANT, _BETWEEN, _NEGATIVE_BEHIND, _IN_INTERVAL):
+            match = way.match(before, last)
+            if match is not None and _ENDS_STATEMENT.fullmatch(before, match.end()):
+                yield from ((name, *bound) for bound in _of_letter(before, first, last))
 
 
 def _mentions(chain: Chain, words: str) -> Iterator[tuple[str, int, int]]:
@@ -106,8 +202,24 @@ def _of_letter(words: str, start: int, end: int) -> Iterator[tuple[str, Formula]
         is_angle = _DEGREE_MARK.search(between[0]) is not None
         bound = _angle if is_angle else _number
         yield from ((">", bound(int(between["least"]))), ("<", bound(int(between["most"]))))
+    elif (interval := _IN_INTERVAL.match(words, end)) is not None:
+        bounds = [_bound(interval[end]) for end in ("from", "to")]
+        yield from ((s, b) for s, b in zip("><", bounds, strict=True) if b is not None)
     elif _NEGATIVE_BEHIND.match(words, end) or _NEGATIVE_BEFORE.search(words[:start]):
         yield "<", _number(0)
+
+
+def _bound(written: str) -> Formula | None:
+    """Return the end of an interval, 3\\pi/2, 90° or -1; None where nothing is written."""
+    parts = _PARTS.fullmatch(written.strip())
+    if parts is None or not (parts["number"] or parts["pi"]):
+        return None
+    size = Fraction(parts["number"] or 1) / Fraction(parts["below"] or 1)
+    size = -size if parts["sign"] in ("-", "−") else size
+    if parts["degrees"]:
+        size /= _STRAIGHT
+    is_angle = parts["pi"] or parts["degrees"]
+    return Product((Number(size), Constant("pi"))) if is_angle and size else Number(size)
 
 
 def _angle(degrees: int) -> Formula:

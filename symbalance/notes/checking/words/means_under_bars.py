@@ -29,12 +29,12 @@ from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
 _BAR = re.compile(r"\\(?:overline|bar|widebar)(?![A-Za-z])")
-_MEAN = re.compile(
-    r"(?<![^\W\d_])(?:means?|average[ds]?|mittel\w*|\w+mittel(?:s|wert\w*)?|gemittelt\w*|mittlere\w*|quadratisch\w*|moyen\w*|medi[aoe]s?"
+MEAN = re.compile(
+    r"(?<![^\W\d_])(?:means?|average[ds]?|mittel\w*|\w+mittel(?:s|wert\w*)?|gemittelt\w*|mittlere\w*|quadratisch\w*|moyen\w*|medi[aoe]?s?"
     r"|promedio|r\.?m\.?s|gemiddeld\w*|méd[ií]\w*|medel\w*|průměr\w*|śred\w*)(?![^\W\d_])|平均",
     re.IGNORECASE,
 )
-_COMPLEX = re.compile(r"(?<![^\W\d_])[ck]ompl(?:ex|e[ij]|ess)|複素|zespolon", re.IGNORECASE)
+COMPLEX = re.compile(r"(?<![^\W\d_])[ck]ompl(?:ex|e[ij]|ess)|複素|zespolon", re.IGNORECASE)
 _NEAR = 300
 """Characters before a bar in which words may call it a mean."""
 _TIME = "t"
@@ -46,7 +46,7 @@ def with_means_under_bars(document: ReadNotes) -> ReadNotes:
     bars = [part for node in nodes for part in parts_of_kind(node, Call) if part.function == "conj"]
     if (
         not bars
-        or _COMPLEX.search(document.text)
+        or COMPLEX.search(document.text)
         or any(part == Constant("i") for node in nodes for part in walk(node))
     ):
         return document
@@ -94,7 +94,7 @@ class _Means:
         return Quotient(whole, turn, span=bar.span)
 
     def _is_called_mean(self, start: int) -> bool:
-        return _MEAN.search(self.text, max(0, start - _NEAR), start) is not None
+        return MEAN.search(self.text, max(0, start - _NEAR), start) is not None
 
 
 def _is_slower(wave: Call) -> bool:
