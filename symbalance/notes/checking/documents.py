@@ -116,6 +116,7 @@ def check(
     """
     text, name, folder = text_of(document)
     declarations, text = declarations_of(document, symbols, text, name)
+    has_j = declarations.has_imaginary_j
     declarations = declarations.without_imaginary_unit()
     provider = engines or NoEngines()
     remarks: list[Words] = [_unread(each) for each in declarations.unread]
@@ -129,7 +130,7 @@ def check(
     elif count := declarations.proposal_count:
         remarks.append(_waiting(count))
     letters, motions = _letters_by_line(declarations), _motions_by_line(declarations)
-    page = run_within(budget, partial(read_document, text, name, letters, motions))
+    page = run_within(budget, partial(read_document, text, name, letters, motions, imaginary_j=has_j))
     page = with_bare_degrees(page, only_named=True)
     page, declarations = with_letters_anew(page, declarations.without_idle(page_letters(page)))
     page, declarations = with_signs_of_motions(page, declarations)

@@ -89,10 +89,13 @@ def read_document(
     name: str,
     names_at: Callable[[int], Collection[str]],
     motions_at: Callable[[int], Motions] = lambda _: NO_MOTIONS,
+    *,
+    imaginary_j: bool = False,
 ) -> ReadNotes:
     """Return the equations of a text; `names_at` tells the letters declared at each line.
 
-    `motions_at` tells which of them are functions of an angle or of time.
+    `motions_at` tells which of them are functions of an angle or of time, `imaginary_j` whether j is
+    declared the imaginary unit.
 
     >>> document = read_document("where F = m a holds", "", lambda line: {"m", "a"})
     >>> document.source(document.chains[0].sides[1].span)
@@ -109,7 +112,10 @@ def read_document(
             cache[line] = frozenset(names_at(line))
         return cache[line]
 
-    source = prepare(text, PurePath(name).suffix.lower(), lambda letter, line: letter in names(line))
+    def is_letter(letter: str, line: int) -> bool:
+        return letter in names(line)
+
+    source = prepare(text, PurePath(name).suffix.lower(), is_letter, imaginary_j=imaginary_j)
     assembler = Assembler(ItemFinder(source, names), names, motions_at)
     assembler.free_letters |= {name: 1 for name in source.own_letters if name not in names(1)}
     assembler.run()

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from html import unescape
 
 from symbalance.document.wordlists import words
@@ -124,11 +125,16 @@ class _Rewriting:
 
 
 def prepare(
-    text: str, suffix: str, is_letter: Callable[[str, int], bool] = lambda name, line: False
+    text: str,
+    suffix: str,
+    is_letter: Callable[[str, int], bool] = lambda name, line: False,
+    *,
+    imaginary_j: bool = False,
 ) -> Source:
     """Return a document's text as it is read; the suffix says how it is written.
 
-    `is_letter` tells whether a name is a declared letter on a line.
+    `is_letter` tells whether a name is a declared letter on a line, `imaginary_j` whether j is declared
+    the imaginary unit.
     """
     reader = _Rewriting(to_half_width(text))
     kind = kind_of(reader.text, suffix)
@@ -168,7 +174,7 @@ def prepare(
     for rewrite in (
         with_letters_unbraced,
         with_marked_letters,
-        with_imaginary_j,
+        partial(with_imaginary_j, is_declared=imaginary_j),
         with_bounds_of_each,
         with_row_vectors,
         with_conditions_apart,

@@ -99,7 +99,7 @@ SIDECAR = TableKeys(
 )
 _MARKDOWN = re.compile(r"\s*<!--\s*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
 _LINES = {mark: re.compile(rf"\s*(?:{mark}[^\n]*(?:\n|$))+") for mark in ("%", "#")}
-_I = re.compile(r"\\?(?:mathrm\s*\{\s*)?(?:i{1,3}|imath|im|iu|I)(?:\s*\})?")
+_I = re.compile(r"\\?(?:mathrm\s*\{\s*)?(?:i{1,3}|imath|im|iu|I|j|jmath)(?:\s*\})?")
 _IMAGINARY_UNIT = re.compile(
     r"imaginary\s+(?:unit|number)|imaginäre[rn]?\s+(?:Einheit|Zahl)|imaginaire|imaginaria|immaginaria"
     r"|imaginære?|虚数単位|sqrt\s*\(?-\s*1|√\(?[-−]\s*1",
@@ -231,8 +231,13 @@ class Declarations:
         }
         return replace(self, symbols={n: text for n, text in self.symbols.items() if n not in idle})
 
+    @property
+    def has_imaginary_j(self) -> bool:
+        """Whether j is declared the imaginary unit."""
+        return _IMAGINARY_UNIT.search(self.symbols.get("j", "")) is not None
+
     def without_imaginary_unit(self) -> Declarations:
-        r"""Return the declarations without an i or \ii that is the imaginary unit, which is a number."""
+        r"""Return the declarations without an i, \ii or j that is the imaginary unit, a number."""
         symbols = {
             name: text
             for name, text in self.symbols.items()

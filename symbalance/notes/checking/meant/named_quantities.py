@@ -90,6 +90,7 @@ from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.text import lazy_patterns as re
 
+BY_LETTERS = "its letters say so"
 SEARCH, SHARE = Budget(4), 0.6
 """What it may take alone, and its part of a budget around it: a definition stays one without."""
 _ONE_TERM = re.compile(r"order|exponent|number misprinted .*|sign|factor -?[0-9/]+")
@@ -272,12 +273,14 @@ class NamedQuantities:
         What is wrong as usually read may be right as read otherwise: π G d⁴ / 32 L.
         """
         outcome = self._as_read(chain, k, knowledge)
-        is_wrong = isinstance(outcome, Verdict) and outcome.verdict == REFUTED
-        for other in chain.sides[k + 1].readings[1:] if is_wrong else ():
+        if not isinstance(outcome, Verdict) or outcome.verdict != REFUTED:
+            return outcome
+        for other in chain.sides[k + 1].readings[1:]:
             side = replace(chain.sides[k + 1], readings=(other,))
             read = replace(chain, sides=(*chain.sides[: k + 1], side, *chain.sides[k + 2 :]))
             there = self._as_read(read, k, knowledge)
-            if there is None or _is_right(there):
+            is_open = there is None and BY_LETTERS in outcome.reason
+            if is_open or (there is not None and _is_right(there)):
                 self.read_otherwise[chain.start] = other
                 return there
         return outcome
@@ -631,7 +634,7 @@ class NamedQuantities:
         if found is None:
             return None
         target, quantity = found
-        text = f"{plain_letter(name)} is the {quantity.name} ({NOBODY}; its letters say so)"
+        text = f"{plain_letter(name)} is the {quantity.name} ({NOBODY}; {BY_LETTERS})"
         decision = Decision(REFUTED, f"if {text}; the right side is of another dimension")
         known = Knowledge(SymbolValue(positive=frozenset(names(claim))), corrects=True)
         verdict = self._with_fix(chain, Side((target,), chain.sides[0].span), decision, known)

@@ -47,7 +47,7 @@ def decide_largest_size(left: Side, right: Side, sign: str, knowledge: Knowledge
     if motion is None or not own or own & (knowledge.angles | knowledge.moving):
         return None
     decision = _decide_size(motion, right, sign, knowledge)
-    given = _numbers_given(motion, right, knowledge) if decision.status == REFUTED else {}
+    given = {} if decision.is_proved else _numbers_given(motion, right, knowledge)
     return _decide_size(motion, right, sign, knowledge, given) if given else decision
 
 

@@ -238,7 +238,13 @@ def _is_varied(state: JudgingState, letter: Name, chain: Chain) -> bool:
     """
     if state.sections.is_consequence(chain) or names(chain.sides[0].node) & names(chain.sides[-1].node):
         return False
-    given = [c for c in state.sections.chains_of(letter) if sets_number(c) and c.lines != chain.lines]
+    every = [c for c in state.sections.chains_of(letter) if c.sides[0].node == letter and c.relations]
+    if any(
+        c.relations[0].sign == "≈" or (names(c.sides[1].node) and c.relations[0].sign == "=")
+        for c in every
+    ):
+        return False  # a result
+    given = [c for c in every if sets_number(c) and c.start != chain.start]
     is_inline = all(c.inline for c in given) and chain.inline
     return is_inline and len({c.sides[1].node for c in given}) > 1 and len(given[0].relations) == 1
 

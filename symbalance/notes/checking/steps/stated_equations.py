@@ -78,9 +78,7 @@ def _names_its_terms(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     if not len(own) == len(terms) == len(total.terms) or own & state.definitions.letters_in_use:
         return False
     earlier = frozenset[str]().union(*(names(side.node) for side in chain.sides[: k + 1]))
-    return own.isdisjoint(earlier) and not any(
-        knowledge.has_meaning(n) or n in knowledge.meanings for n in own
-    )
+    return own.isdisjoint(earlier) and not any(knowledge.has_meaning(n) for n in own)
 
 
 def _explained_letter(state: JudgingState, chain: Chain, k: int) -> frozenset[str]:

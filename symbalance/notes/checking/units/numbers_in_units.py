@@ -55,7 +55,11 @@ from symbalance.notes.checking.units.formulas_between_numbers import (
     puts_in_numbers,
     with_printed_results,
 )
-from symbalance.notes.checking.units.own_units import is_divided_by_minute, is_per_minute
+from symbalance.notes.checking.units.own_units import (
+    is_divided_by_minute,
+    is_per_minute,
+    is_per_minute_number,
+)
 from symbalance.notes.checking.units.printed_units import decide_by_printed_units
 from symbalance.notes.checking.units.rounded_wholes import decide_rounded_wholes
 from symbalance.notes.checking.units.units_above import proved_by_units_above
@@ -155,9 +159,28 @@ def decide_after_units_left_out(
     """Return the decision on the result of numbers without units, m R = 0.35·38 = 13.3 kg mm.
 
     It has to be that of the letters; where it is not, but is the arithmetic's, the units decide.
+    Numbers divided by 60 where the letter counts by the minute are right by themselves.
     """
     if not k:
         return None
+    outcome = _after_units_left_out(chain, k, document, knowledge)
+    if outcome is None or outcome.status != REFUTED or not _turns_minutes(chain, k, document, knowledge):
+        return outcome
+    by_itself = decide(*chain.sides[k : k + 2], chain.relations[k].sign, knowledge)
+    return by_itself if by_itself.is_proved else outcome
+
+
+def _turns_minutes(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> bool:
+    """Tell whether numbers are divided by 60 or 30, and a letter they stand for counts by the minute."""
+    if not is_divided_by_minute(chain.sides[k].node):
+        return False
+    given = (knowledge.definitions.get(name) for name in names(chain.sides[k - 1].node))
+    return any(d is not None and is_per_minute_number(d.node, document.text) for d in given)
+
+
+def _after_units_left_out(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
     knowledge = with_printed_results(with_gravity_in_feet(knowledge), document)
     formula, put_in, right, sign = *chain.sides[k - 1 : k + 2], chain.relations[k].sign
     between_numbers = decide_between_numbers(formula, right, sign, document, knowledge)

@@ -224,14 +224,23 @@ def _stem(name: str) -> str:
     return name.partition("_")[0].rstrip("'0123456789")
 
 
+_DIGITS = re.compile(r"[0-9][0-9.,\u202f\u2009]*")
+
+
 def is_per_minute(text: str, place: int) -> bool:
     """Tell whether a unit of revolutions per minute stands at a place, behind a number."""
     return _UNIT_BEHIND.match(text, place) is not None
 
 
 def is_per_minute_number(node: Formula, text: str) -> bool:
-    """Tell whether a number was given in revolutions per minute, whatever it counts in formulas."""
-    return isinstance(node, Number) and node.span[1] > 0 and is_per_minute(text, node.span[1])
+    """Tell whether a number was given in revolutions per minute, whatever it counts in formulas.
+
+    Its unit stands behind it, or within a cell of a table that is the number.
+    """
+    if not isinstance(node, Number) or not node.span[1]:
+        return False
+    digits = _DIGITS.match(text, *node.span)
+    return is_per_minute(text, node.span[1]) or (digits is not None and is_per_minute(text, digits.end()))
 
 
 def divides_by_minute(node: Formula) -> bool:

@@ -27,15 +27,17 @@ _J_COUNTS = re.compile(
 _AROUND = 16
 
 
-def with_imaginary_j(text: str) -> Rewritten | None:
+def with_imaginary_j(text: str, is_declared: bool = False) -> Rewritten | None:
     """Return a text with i for a j that the page calls the imaginary unit, None where there is none.
+
+    With `is_declared`, its author has said so apart.
 
     >>> with_imaginary_j("$Z = 3 + 4j$ with $j^2 = -1$, $x_j$").text
     '$Z = 3 + 4i$ with $i^2 = -1$, $x_j$'
     >>> with_imaginary_j("$Z = 3 + 4j$, $j = 1, 2$") is None
     True
     """
-    if _SAYS_SO.search(text) is None or _I_COUNTS.search(text) or _J_COUNTS.search(text):
+    if not (is_declared or _SAYS_SO.search(text)) or _I_COUNTS.search(text) or _J_COUNTS.search(text):
         return None
     rewriter, changed = Rewriter(text), False
     for match in _J.finditer(text):
