@@ -166,7 +166,7 @@ def decide_after_units_left_out(
     outcome = _after_units_left_out(chain, k, document, knowledge)
     if outcome is None or outcome.status != REFUTED or not _turns_minutes(chain, k, document, knowledge):
         return outcome
-    by_itself = decide(*chain.sides[k : k + 2], chain.relations[k].sign, knowledge)
+    by_itself = decide(chain.sides[k], chain.sides[k + 1], chain.relations[k].sign, knowledge)
     return by_itself if by_itself.is_proved else outcome
 
 
