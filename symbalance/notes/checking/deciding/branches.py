@@ -6,6 +6,7 @@ m = n and one for m ≠ n; with cases one for each. It is proved if all of them 
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -14,6 +15,7 @@ from symbalance.document import formula
 from symbalance.document.formula import (
     Apply,
     Cases,
+    Evaluation,
     Formula,
     Name,
     Negative,
@@ -21,6 +23,7 @@ from symbalance.document.formula import (
     PlusMinus,
     Product,
     Sum,
+    with_parts_changed,
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
@@ -217,7 +220,7 @@ def _split(left: Formula, right: Formula, knowledge: Knowledge) -> list[Branch]:
 
 def _with_cases_of_letters(branch: Branch) -> Branch:
     """Put cases in for the letters that are defined by them."""
-    left, right = branch.left, branch.right
+    left, right = (_with_places(side, branch.knowledge) for side in (branch.left, branch.right))
     for name in sorted(formula.names(left) | formula.names(right)):
         definition = branch.knowledge.definitions.get(name)
         if definition is not None and any(not isinstance(p, PlusMinus) for p in _parts(definition.node)):
@@ -284,6 +287,53 @@ def _of_delta(branch: Branch, delta: Formula) -> list[Branch]:
             branch, left=unequal[0], right=unequal[1], title=_joined(branch.title, " ≠ ".join(texts))
         ),
     ]
+
+
+def _with_places(node: Formula, knowledge: Knowledge) -> Formula:
+    """Return a formula with what holds at a number for what is given by cases: f(-2), f being |x|."""
+    if isinstance(node, Apply) and node.function == "at":
+        head, place = node.arguments
+    elif isinstance(node, Evaluation) and node.lower is None:
+        head, place = node.expression, node.upper
+    else:
+        return with_parts_changed(node, lambda part: _with_places(part, knowledge))
+    definition = knowledge.definitions.get(head.name) if isinstance(head, Name) else None
+    cases = head if definition is None else definition.node
+    letters = formula.names(cases)
+    if not isinstance(cases, Cases) or formula.names(place) or len(letters) != 1:
+        return node
+    (letter,) = letters
+    if (number := _number(place, knowledge)) is None:
+        raise NoFormError("which case holds there is open")
+    return substitute(_case_at(cases, letter, number, knowledge), letter, place)
+
+
+def _case_at(cases: Cases, letter: str, number: float, knowledge: Knowledge) -> Formula:
+    """Return the value of the first case whose condition a number satisfies."""
+    for value, condition in zip(cases.values, cases.conditions, strict=True):
+        if condition is None:
+            return value
+        left, sign, right = condition
+        sizes = [number if side == Name(letter) else _number(side, knowledge) for side in (left, right)]
+        if None in sizes or sign not in _COMPARED:
+            break
+        if _COMPARED[sign](*sizes):
+            return value
+    raise NoFormError("which case holds there is open")
+
+
+_COMPARED: dict[str, Callable[..., bool]] = {
+    "<": operator.lt, ">": operator.gt, "≤": operator.le, "≥": operator.ge,
+    "=": operator.eq, "≠": operator.ne,
+}  # fmt: skip
+
+
+def _number(node: Formula, knowledge: Knowledge) -> float | None:
+    """Return the real number that a formula without letters is, None for another."""
+    if formula.names(node):
+        return None
+    rows = [row for _, row in sample_trees([node], knowledge.meaning, count=1)]
+    return float(rows[0][0].real) if rows else None
 
 
 def _of_cases(branch: Branch, cases: Cases) -> list[Branch]:

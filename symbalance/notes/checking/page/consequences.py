@@ -11,9 +11,11 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.document.formula import (
+    Apply,
     Call,
     Constant,
     Derivative,
+    Evaluation,
     Formula,
     Name,
     Negative,
@@ -233,7 +235,8 @@ def _equation_after_equation(
     given = names(first[0]) | names(first[1])
     others = {n: d for n, d in knowledge.definitions.items() if n not in given or d.line not in lines}
     knowledge = replace(knowledge, definitions=others)
-    lost = solution_lost(first, second, knowledge)
+    is_value = any(_is_at_place(part) for node in second for part in walk(node))
+    lost = None if is_value else solution_lost(first, second, knowledge)  # f(x) = x², then f(-2) = 4
     if sections.is_equivalence(chain):
         return _equivalence(first, second, lost, decision, knowledge)
     if lost is not None and decision.is_proved and (other := _ANGLE.match(sections.behind_or(chain))):
@@ -250,6 +253,11 @@ def _equation_after_equation(
     if not is_free or is_one:
         return decision
     return replace(decision, status=UNDECIDED, reason=_too(lost, first))
+
+
+def _is_at_place(part: Formula) -> bool:
+    """Tell whether a part is a value at a place: f(-2), f at x = -2."""
+    return isinstance(part, Evaluation) or (isinstance(part, Apply) and part.function == "at")
 
 
 def _with_other_angle(
