@@ -85,6 +85,20 @@ _NAMED = re.compile(
     re.IGNORECASE,
 )
 """Words that tell the engines of one page apart."""
+_IN_GROUP = (
+    r"(?P<cranks>[1-9](?:\s*(?:,|and|und|et|e|y|と|、)\s*[1-9])*)[\s$]*(?:(?:are|stand|lie|stehen|liegen|sont)\s+)?"
+    rf"(?:at|bei|auf|à|a)[\s$]+(?P<angle>{_NUMBER})(?P<degree>{_DEGREE})?\$?"
+)
+_GROUP = re.compile(_IN_GROUP, re.IGNORECASE)
+_PLAIN_GROUP = re.sub(r"\(\?P<\w+>", "(?:", _IN_GROUP)
+_OF_GROUP = (
+    r"(?:cranks?|throws?|(?:crank)?pins?|cylinders?|kurbeln|kröpfungen|zylinder|manetons|manivelles)\s+"
+)
+_GROUPS = re.compile(
+    rf"(?<![^\W\d_]){_OF_GROUP}{_PLAIN_GROUP}"
+    rf"(?:[\s,;$]+(?:(?:and|und|et|while|whereas|während)\s+)?(?:the\s+)?(?:{_OF_GROUP})?{_PLAIN_GROUP})+",
+    re.IGNORECASE,
+)
 _ROW = re.compile(r"^[ \t]*\|?[ \t]*(?P<cells>[^\n]*[|&][^\n]*)$", re.MULTILINE)
 _BEFORE, _BEHIND = 120, 30
 """Characters before and behind a list in which words have to say that it is of cranks."""
@@ -150,7 +164,9 @@ def crank_angles(text: str) -> tuple[CrankAngles, ...]:
     >>> [str(a) for a in crank_angles("Crank throws at 0°, 180°, 180° and 0°.")[0].degrees]
     ['0', '180', '180', '0']
     """
-    lists = [*_in_words(text), *_by_rows(text), *_by_firing(text)]
+    groups = [match.span() for match in _GROUPS.finditer(text)]
+    others = (each for each in _in_words(text) if not any(a <= each.place < b for a, b in groups))
+    lists = [*others, *_by_rows(text), *_by_firing(text), *_by_groups(text)]
     lists.sort(key=lambda angles: angles.place)
     before = [0, *(angles.place for angles in lists)]
     return tuple(_with_engine(own, first, text) for own, first in zip(lists, before, strict=False))
@@ -322,6 +338,26 @@ def _by_rows(text: str) -> Iterator[CrankAngles]:
         if rows or (cells and not set("".join(cells)) <= set("-: ")):
             header = match["cells"] if match else ""
         rows = []
+
+
+def _by_groups(text: str) -> Iterator[CrankAngles]:
+    """Yield the angles that cranks have in groups: cranks 1 and 4 at 0, cranks 2 and 3 at 180°."""
+    for match in _GROUPS.finditer(text):
+        angles: dict[int, Fraction] = {}
+        bare: list[Fraction] = []
+        numbers = 0
+        for group in _GROUP.finditer(match[0]):
+            own = [int(number) for number in re.findall(r"[0-9]+", group["cranks"])]
+            numbers += len(own)
+            angles |= dict.fromkeys(own, Fraction(group["angle"]))
+            bare += [] if group["degree"] else [Fraction(group["angle"])]
+        if (
+            sorted(angles) == list(range(1, numbers + 1))
+            and len(set(angles.values())) > 1
+            and not any(bare)
+        ):
+            degrees = tuple(angles[number] for number in sorted(angles))
+            yield CrankAngles(degrees, _line_at(text, match.start()), match.start())
 
 
 def _by_firing(text: str) -> Iterator[CrankAngles]:
