@@ -51,3 +51,19 @@ def test_a_result_of_its_own_number_is_not_accused(page):
 @pytest.mark.parametrize(("page", "place"), WRONG)
 def test_a_result_of_another_ones_number_does_not_hold(page, place):
     assert words_of(page)[place] not in PROVED
+
+
+WIKI = (
+    'The mean piston speed is <math>v = 2CN/60 = CN/30</math>\n\n{| class="wikitable"\n|-\n! Engine !! Speed\n'
+    "|-\n| Saloon || <math>v = 17.6</math> m/s\n|-\n| Diesel || <math>v = 12.7</math> m/s\n"
+    "|-\n| Racer || <math>v \\approx 19.8</math> m/s\n|}\n"
+)
+
+
+def test_a_row_of_a_wiki_table_is_another_engine(tmp_path):
+    page = tmp_path / "speeds.wiki"
+    page.write_text(WIKI, encoding="utf-8")
+    assert not {link["verdict"] for link in check(page).data()["links"]} & {*ACCUSED, "undecided"}
+    same = WIKI.replace("| Racer ||", "| Diesel ||")
+    page.write_text(same, encoding="utf-8")
+    assert check(page).data()["links"][-1]["verdict"] in (*ACCUSED, "undecided")

@@ -748,6 +748,8 @@ class Sections:
         between = self.lines[earlier_line - 1 : line]
         if earlier_line >= line or not all(row.lstrip().startswith("|") for row in between):
             return False
+        if self._is_in_cell_of_another_row(chain, earlier_line):
+            return True
         first, second = (row.split("|")[1].strip() for row in rows)
         start = self.start_of_line(line)
         column = self.document.text[start : chain.start].count("|")
@@ -755,6 +757,19 @@ class Sections:
         own = self.document.text[chain.sides[0].span[0] : chain.sides[0].span[1]].strip()
         has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
         return has_same and column > 1 and first != second and "=" not in first + second
+
+    def _is_in_cell_of_another_row(self, chain: Chain, earlier_line: int) -> bool:
+        """Tell whether a letter stands in its column of an earlier line, in another row of the table."""
+        tables = cells_of(self.document.text)
+        own = tables.at(chain.start)
+        if own is None or not own.column or "=" in own.row:
+            return False
+        earlier = [c for c in self.chains_on(earlier_line) if c.sides[0].node == chain.sides[0].node]
+        cells = [cell for c in earlier if (cell := tables.at(c.start)) is not None and cell.column]
+        return any(
+            cell.labels[0].span == own.labels[0].span and cell.row != own.row and "=" not in cell.row
+            for cell in cells
+        )
 
     def _is_in_cell_of_another_engine(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a letter's formula stands in a cell of another engine than the earlier one."""
