@@ -54,7 +54,7 @@ def test_a_result_of_another_ones_number_does_not_hold(page, place):
 
 
 WIKI = (
-    "The mean piston speed is <math>v = 2CN/60 = CN/30</math>\n\n{| class=\"wikitable\"\n|-\n! Engine !! v\n"
+    'The mean speed is <math>v = 2CN/60 = CN/30</math>\n\n{| class="wikitable"\n|-\n! Engine !! v\n'
     "|-\n| Saloon || <math>v = 17.6</math> m/s\n|-\n| Diesel || <math>v = 12.7</math> m/s\n"
     "|-\n| Racer || <math>v \\approx 19.8</math> m/s\n|}\n"
 )
