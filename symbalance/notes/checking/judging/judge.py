@@ -38,7 +38,7 @@ from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
 from symbalance.notes.checking.judging.numbers_in_sentences import by_numbers_in_sentence
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
-from symbalance.notes.checking.judging.one_relation import FOLLOWS, FROM_SOUND, judge_relation
+from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
 from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
 from symbalance.notes.checking.judging.units_of_results import blame_unit
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
@@ -401,10 +401,9 @@ class Judge:
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
-            is_sound = verdict.verdict in PROVED_WORDS or verdict.reason == FROM_SOUND
-            if is_sound and not self.table_rows.has_judged(chain):
+            if verdict.verdict in PROVED_WORDS and not self.table_rows.has_judged(chain):
                 self.state.results.note(chain, k)
-            if k and is_sound and isinstance(chain.sides[0].node, Name):
+            if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
                 self.state.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:

@@ -120,7 +120,7 @@ from symbalance.text import lazy_patterns as re
 
 FOLLOWS = "follows from the side before, which is refuted"
 FROM_SOUND = "equal to what the chain begins with, but not to the side before, which is refuted"
-"""Of a side that is right behind a wrong one: 3·4 = 13 = 12."""
+"""Of a side that is right behind a wrong one, 3·4 = 13 = 12: the slip is blamed once, and said here."""
 NEAR_NUMBER = 3
 """Lines below a formula in which the number of its letter goes with it."""
 MOST_BESIDE = 4
@@ -782,7 +782,7 @@ def _decide_step(
     if sign == "=" and against is left:
         decision = decide_roughly(left, right, decision, knowledge)
     if bad and is_wrong_itself and against is not left and decision.is_proved:
-        decision = Decision(UNDECIDED, FROM_SOUND)
+        decision = replace(decision, reason=FROM_SOUND)
     return decision, against
 
 
