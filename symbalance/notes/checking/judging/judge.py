@@ -142,6 +142,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.numbers_by_formulas import unless_a_formula_gives_it
+from symbalance.notes.checking.steps.only_solutions import unless_not_the_only
 from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.open_cases import (
     cases_left_by,
@@ -250,6 +251,7 @@ _LAST: tuple[_Look, ...] = (
     unless_of_other_words,
     unless_in_degrees,
     unless_of_lower_order,
+    unless_not_the_only,
     unless_of_arrays,
     unless_under_bars,
 )
