@@ -716,13 +716,15 @@ class Judge:
     def _claimed_always(self, chain: Chain, k: int) -> frozenset[str]:
         """Return the letters of an inequality that is said to be so always: always y² ≥ 1.
 
-        Of different letters on its sides it may be what a machine is built for: always l > 2r.
+        Of different letters on its sides it may be what a machine is built for: always l > 2r. A wave
+        has all the values of its angle: r ω² (cos θ + λ cos 2θ) ≤ r ω².
         """
         left, right = (names(side.node) for side in chain.sides[k : k + 2])
         is_of_same = len(left | right) == 1 or left == right
-        if chain.relations[k].sign not in SATISFIED_BY or not is_of_same:
+        own = left | right if is_of_same else letters_in_waves(chain.sides[k].node) - right
+        if chain.relations[k].sign not in SATISFIED_BY or not (is_of_same or right < left):
             return frozenset()
-        return left | right if self.state.sections.is_said_always(chain) else frozenset()
+        return own if self.state.sections.is_said_always(chain) else frozenset()
 
     def _unless_between_numbers(self, chain: Chain, k: int, verdict: Verdict) -> Verdict:
         """Return a verdict on a formula by the units that words give its letters, where they differ."""

@@ -59,7 +59,10 @@ _ALWAYS_BEHIND = re.compile(
 _ALWAYS = re.compile(
     r"(?<![A-Za-zÀ-ÿ\\])(?<!not )(?<!nicht )(?<!pas )(?<!non )(?<!no )(?:always|at\s+all\s+times"
     r"|in\s+(?:every|any|all|each)\s+cases?|without\s+exception|immer|stets|in\s+jedem\s+Fall|toujours|en\s+tout\s+cas"
-    r"|sempre|in\s+ogni\s+caso|siempre|en\s+todo\s+caso)(?![A-Za-zÀ-ÿ])|常に|つねに|いつも|必ず",
+    r"|at\s+(?:every|any|all|each)\s+(?:crank\s+)?(?:angles?|positions?)|bei\s+jedem\s+(?:Kurbel)?winkel"
+    r"|in\s+jeder\s+(?:Kurbel)?stellung|à\s+tout\s+(?:angle|instant)|per\s+ogni\s+angolo|para\s+todo\s+ángulo"
+    r"|sempre|in\s+ogni\s+caso|siempre|en\s+todo\s+caso)(?![A-Za-zÀ-ÿ])|常に|つねに|いつも|必ず"
+    r"|(?<![A-Za-zÀ-ÿ\\])(?:never|nie|niemals|jamais|nunca|non\s+\w+\s+mai)\s[^:.;]{1,60}[:：][\s$\\(\[]*$",
     re.IGNORECASE,
 )
 """Words that make an inequality a claim, of all that it can be said of."""
@@ -182,6 +185,8 @@ def is_said_always(before: str) -> bool:
     """Tell whether the words of a clause before a relation say that it is so always.
 
     >>> is_said_always("Here always $"), is_said_always("It is not always so that $")
+    (True, False)
+    >>> is_said_always("The sum never exceeds 1: $"), is_said_always("It is never so that $")
     (True, False)
     """
     return _ALWAYS.search(before) is not None
