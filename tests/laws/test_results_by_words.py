@@ -90,6 +90,11 @@ def test_a_label_names_the_unit_of_its_letter(page, verdict):
     assert last_word(page) == verdict
 
 
+def test_a_label_of_several_names_no_unit_of_the_first():
+    words = [link["verdict"] for link in links_of("Gas force: $p = 55$ bar, $A = 58.1$ cm², $F = p A$")]
+    assert "refuted" not in words
+
+
 @pytest.mark.parametrize("place", ["only where", "nur wo", "provided"])
 def test_what_something_takes_contradicts_no_value_later(place):
     page = f"Mounts isolate {place} $s > 1$. Do not let the set idle near $s = 1$."

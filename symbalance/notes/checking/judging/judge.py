@@ -191,7 +191,7 @@ from symbalance.notes.checking.units.temperatures import with_temperatures
 from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.units.turns_of_results import refute_turns
 from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
-from symbalance.notes.checking.units.unit_by_noun import unit_asked_for
+from symbalance.notes.checking.units.unit_by_noun import is_label, unit_asked_for
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONDITIONAL,
@@ -1103,7 +1103,8 @@ class Judge:
         if expected is None and isinstance(head, Name) and head.name not in symbols:
             sentence = self.state.sections.sentence_leading_to(chain)
             named = unit_asked_for(chain, sentence, self.document.source(chain.sides[k + 1].span))
-            if named is not None:
+            heads_several = is_label(sentence) and len(self.state.sections.chains_on(chain.lines[0])) > 1
+            if named is not None and not heads_several:  # "Gas force: p = 55 bar, F = p A"
                 what, expected = f"“{named[0]}”", named[1]
         if expected is None or own == expected:
             return None

@@ -30,6 +30,7 @@ _PREPOSITION = re.compile(
 _SEVERAL = re.compile(r"(?:(?<![^\W\d_])(?:and|und|et|e|y|with|mit)\s|[,/&])[^.;:!?]*:?$", re.IGNORECASE)
 """In a label that heads more than one size: "piston area and gas force:"."""
 _NO_NOUN = re.compile(r"[=≈0-9]|[.,;:!?)。、]\s*$|\n\s*\n")
+_MARKS = " \t$\\([{*_'"
 MOST_WORDS = 7
 """Of a noun with what it is of: the largest inertia force of one piston."""
 
@@ -40,6 +41,11 @@ _WEIGHT = re.compile(r"(?<![A-Za-z])(?:lbs?|lbf|kgf|kp|oz|pounds?|tons?|t|g)(?![
 _KILOGRAM = re.compile(r"(?<![A-Za-z])k?g(?![A-Za-z])")
 
 
+def is_label(sentence: str) -> bool:
+    """Tell whether what stands before a relation is a label: "Torque: M = 60 N m"."""
+    return sentence.rstrip(_MARKS).endswith(":")
+
+
 def unit_asked_for(chain: Chain, sentence: str, value: str) -> tuple[str, Dimension] | None:
     """Return the noun before a letter, and the dimension of the size it names; None where it is open.
 
@@ -48,15 +54,14 @@ def unit_asked_for(chain: Chain, sentence: str, value: str) -> tuple[str, Dimens
     """
     if not isinstance(chain.sides[0].node, Name):
         return None
-    before = _ITEM.split(sentence)[-1].rstrip(" \t$\\([{*_'")
-    is_label = before.endswith(":")
+    before, has_label = _ITEM.split(sentence)[-1].rstrip(_MARKS), is_label(sentence)
     phrase = _CLAUSE.split(before.removesuffix(":") + " ")[-1].strip()
     if _NO_NOUN.search(phrase):
         return None
     bare = _VERB.sub("", phrase)
-    has_verb = bare != phrase or is_label  # "Angular velocity: ω = ..." is a sentence without its verb
+    has_verb = bare != phrase or has_label  # "Angular velocity: ω = ..." is a sentence without its verb
     noun = _ARTICLE.sub("", bare)
-    if is_label and (_PREPOSITION.search(noun) or _SEVERAL.search(before)):
+    if has_label and (_PREPOSITION.search(noun) or _SEVERAL.search(before)):
         return None  # "Torque of the force: F = 30 N" may head what the torque is computed from
     if not has_verb and _PREPOSITION.search(noun):
         noun = _ARTICLE.sub("", _PREPOSITION.split(noun)[-1].strip())
