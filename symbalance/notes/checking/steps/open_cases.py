@@ -171,7 +171,8 @@ def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     Where the number is given as one of its own sentence, "for k = 1/3 < 1/2", the range is claimed of it.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    is_supposed = len(chain.letters) == 1 and _is_supposed(state, chain)
+    given = [d for name in chain.letters if (d := knowledge.definitions.get(name)) and d.numeric]
+    is_supposed = len(chain.letters) == 1 and bool(given) and _is_supposed(state, chain)
     if is_supposed or _is_behind_case(state, chain, knowledge):
         return True
     letters = [side for side in (left, right) if isinstance(side, Name)]
