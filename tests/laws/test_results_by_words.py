@@ -118,6 +118,15 @@ def test_the_couple_of_two_cranks_goes_with_the_cosine():
     assert last_word(BOXER.format("sin")) not in PROVED
 
 
+def test_a_couple_with_a_phase_is_left_as_it_is():
+    page = BOXER.replace("\\theta$", "(\\theta + 90°)$").format("sin")
+    assert last_word(page) not in ("undecided", "refuted")
+    three = (
+        "Inline three, cylinder spacing $a$. Its first order couple is $M_1 = \\sqrt3 a F\\cos\\theta$."
+    )
+    assert last_word(three) not in ("undecided", "refuted")
+
+
 def test_a_unit_in_brackets_leaves_a_meaning_known():
     assert role_of("crank radius [mm]") == role_of("crank radius")
     assert role_of("angular velocity (rad/s)") == "angular speed"

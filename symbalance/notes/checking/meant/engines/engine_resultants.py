@@ -660,6 +660,8 @@ def _other_wave(claim: EngineClaim, product: ProductOfPowers) -> Decision | None
     """
     if product.wave is None or claim.kind not in (FORCE, COUPLE) or claim.is_rotating:
         return None
+    if isinstance(product.wave.argument, Sum):
+        return None  # cos(θ + 30°): its phase is counted from a crank of its own
     possible = [star.waves(claim.order, is_couple=claim.kind == COUPLE) for star in claim.engine.stars]
     if not all(possible) or any(product.wave.function in waves for waves in possible):
         return None
