@@ -265,10 +265,11 @@ def _free_letters(node: Formula, refutation: Decision) -> set[str]:
 
 def _has_no_form(exponent: Formula) -> bool:
     """Tell whether a power has no normal form: with a letter in its exponent, or a cube root."""
-    value = exponent
-    if isinstance(value, Quotient) and isinstance(value.denominator, Number):
-        return bool(names(value)) or value.denominator.value not in (1, 2)
-    return bool(names(value)) or (isinstance(value, Number) and value.value.denominator not in (1, 2))
+    if names(exponent):
+        return True
+    if isinstance(exponent, Quotient) and isinstance(exponent.denominator, Number):
+        return exponent.denominator.value not in (1, 2)
+    return isinstance(exponent, Number) and exponent.value.denominator not in (1, 2)
 
 
 def _kind_of_statement(

@@ -373,8 +373,8 @@ def _role_before_unit(head: str) -> str:
     match = _WITH_UNIT.fullmatch(head)
     if match is None:
         return ""
-    by_minute = "min" in (match["unit"] or match["bare"]) or (match["unit"] or match["bare"]) == "rpm"
-    return "" if by_minute else _known_role(match["words"])
+    unit = match["unit"] or match["bare"]
+    return "" if "min" in unit or unit == "rpm" else _known_role(match["words"])
 
 
 @cache
@@ -428,7 +428,7 @@ def misspelt_role(text: str) -> str | None:
         return None
     with_unit = _WITH_UNIT.fullmatch(role)
     words = (with_unit["words"] if with_unit else role).lower().split()
-    if with_unit and (" ".join(words) in (*KNOWN, *ALIASES) or " ".join(words) == "engine speed"):
+    if with_unit and " ".join(words) in (*KNOWN, *ALIASES, "engine speed"):
         return None  # "engine speed [rpm]", a letter in its own unit
     near: list[tuple[float, str]] = []
     for known in (*KNOWN, *ALIASES):

@@ -147,17 +147,14 @@ def _is_of_line_above(state: JudgingState, chain: Chain, claim: _Claim) -> bool:
 
 def _is_true_of_means(state: JudgingState, chain: Chain, sides: list[Formula]) -> bool:
     """Tell whether a relation is true of means of samples, of independent ones where words say so."""
-    knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
-    claim = _Claim(sides, _varying(sides), _values(knowledge))
     is_of_apart = _INDEPENDENT.search(state.document.text) is not None
-    return claim.holds(are_means=True, are_independent=is_of_apart) is True
+    return _claim(state, chain, sides).holds(are_means=True, are_independent=is_of_apart) is True
 
 
 def _of_means(state: JudgingState, chain: Chain, sides: list[Formula]) -> Decision | None:
     """Return the decision on a relation of means that fails for samples of numbers; None for others."""
-    knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
-    varying = _varying(sides)
-    claim = _Claim(sides, varying, _values(knowledge))
+    claim = _claim(state, chain, sides)
+    varying = claim.varying
     bars = [c for node in sides for c in parts_of_kind(node, Call) if c.function == "conj"]
     if not any(_is_product(part, varying) for bar in bars for part in walk(bar.argument)):
         return None  # of sums the mean is what it is of numbers
@@ -183,6 +180,8 @@ def _of_sizes(state: JudgingState, chain: Chain, sides: list[Formula]) -> Decisi
     """Return that |z_1 + z_2| = |z_1| + |z_2| is open, whose letters stand between bars alone."""
     sizes = [c for node in sides for c in parts_of_kind(node, Call) if c.function == "abs"]
     inside = {name for call in sizes for name in names(call.argument)}
+    if not inside:
+        return None
     said = letters_without_sign(chain, state.document)
     inside = {name for name in inside if name[:1] in _COMPLEX_LETTERS or name in said}
     knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
@@ -239,6 +238,12 @@ class _Claim:
         at = BarValues(self.varying, self.values, are_means=True, seed=1)
         left, right = map(at.value, self.sides)
         return at.printed() | {"left": f"{left[0].real:.6g}", "right": f"{right[0].real:.6g}"}
+
+
+def _claim(state: JudgingState, chain: Chain, sides: list[Formula]) -> _Claim:
+    """Return a relation of means, of letters that vary and the values of others."""
+    knowledge = state.knowledge_of(chain, state.knowledge(chain.lines[0]))
+    return _Claim(sides, _varying(sides), _values(knowledge))
 
 
 def _values(knowledge: Knowledge) -> dict[str, Formula]:

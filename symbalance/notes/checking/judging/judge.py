@@ -280,8 +280,8 @@ class Judge:
         self.document = replace(self.document, text=shown, as_typed=text)
         data = data_of(self.document, symbols_at)
         chains = (*self.document.chains, *data)
-        every_chain = with_temperatures(replace(self.document, chains=chains))
-        every = with_turns(with_speeds(every_chain, symbols_at)).chains
+        in_kelvins = with_temperatures(replace(self.document, chains=chains))
+        every = with_turns(with_speeds(in_kelvins, symbols_at)).chains
         self.document = replace(self.document, chains=every[: len(self.document.chains)])
         self.data = list(every[len(self.document.chains) :])
         """The page's data that stand in tables, lists and code, and have not been reached yet."""
@@ -1076,8 +1076,8 @@ class Judge:
 
     def _turned_wrongly(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
         """Refute radians by the second in a unit of turns, and turns in one of radians."""
-        dimensions = self._dimensions(chain, k, knowledge)
-        return refute_turns(chain, k, self.document, dimensions, knowledge)
+        dimensions_of = partial(self._dimensions, chain, k, knowledge)
+        return refute_turns(chain, k, self.document, dimensions_of, knowledge)
 
     def _is_quantity(self, side: Side) -> bool:
         """Tell whether a side is a number with a unit behind it."""

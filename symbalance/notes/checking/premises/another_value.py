@@ -127,9 +127,10 @@ def _define_anew(
     is_called_case = not definitions.sections.same_section(earlier.line, line)
     is_called_case = is_called_case and definitions.sections.opens_case(chain)
     is_number = not k and not names(value) and earlier.numeric
-    is_listed = definitions.sections.is_in_list_of_data(chain, earlier.line)
-    is_datum = is_number and earlier.formula is None and is_listed
-    is_datum |= is_number and definitions.sections.is_in_another_row(chain, earlier.line)
+    is_datum = is_number and (
+        (earlier.formula is None and definitions.sections.is_in_list_of_data(chain, earlier.line))
+        or definitions.sections.is_in_another_row(chain, earlier.line)
+    )
     sign = chain.relations[k].sign
     is_none = is_put_in or not _new_case(earlier, value, sign, knowledge, is_called_case=is_called_case)
     if is_none and not (is_datum or is_apart):

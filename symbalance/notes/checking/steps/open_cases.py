@@ -172,7 +172,7 @@ def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     given = [d for name in chain.letters if (d := knowledge.definitions.get(name)) and d.numeric]
-    is_supposed = len(chain.letters) == 1 and bool(given) and _is_supposed(state, chain)
+    is_supposed = len(chain.letters) == 1 and bool(given) and _leads_on(state, chain)
     if is_supposed or _is_behind_case(state, chain, knowledge):
         return True
     letters = [side for side in (left, right) if isinstance(side, Name)]
@@ -188,7 +188,7 @@ def case_of_a_letter(state: JudgingState, chain: Chain, k: int, knowledge: Knowl
     return definition.line < chain.lines[0] or _has_value_in_another_case(state, letters[0], chain)
 
 
-def _is_supposed(state: JudgingState, chain: Chain) -> bool:
+def _leads_on(state: JudgingState, chain: Chain) -> bool:
     """Tell whether an arrow stands behind a range, and none before it: B > 1/2 ⇔ 1 - B < B."""
     text, before = state.document.text, state.sections.chain_before(chain.start)
     first = chain.start if before is None else before.end
@@ -228,7 +228,7 @@ def letters_supposed(state: JudgingState, chain: Chain) -> frozenset[str]:
         return frozenset()
     is_range = all(relation.sign in SATISFIED_BY for relation in before.relations)
     between = state.document.text[before.end : chain.start]
-    is_led_to = _ARROW_BEHIND.match(between) is not None and _is_supposed(state, before)
+    is_led_to = _ARROW_BEHIND.match(between) is not None and _leads_on(state, before)
     return before.letters if is_range and is_led_to else frozenset()
 
 
@@ -240,14 +240,12 @@ def _is_varied(state: JudgingState, letter: Name, chain: Chain) -> bool:
     if state.sections.is_consequence(chain) or names(chain.sides[0].node) & names(chain.sides[-1].node):
         return False
     every = [c for c in state.sections.chains_of(letter) if c.sides[0].node == letter and c.relations]
-    if any(
-        c.relations[0].sign == "≈" or (names(c.sides[1].node) and c.relations[0].sign == "=")
-        for c in every
-    ):
+    first = [(c.relations[0].sign, c.sides[1].node) for c in every]
+    if any(sign == "≈" or (sign == "=" and names(value)) for sign, value in first):
         return False  # a result
     given = [c for c in every if sets_number(c) and c.start != chain.start]
     is_inline = all(c.inline for c in given) and chain.inline
-    return is_inline and len({c.sides[1].node for c in given}) > 1 and len(given[0].relations) == 1
+    return is_inline and len({c.sides[1].node for c in given}) > 1
 
 
 def _has_value_in_another_case(state: JudgingState, letter: Name, chain: Chain) -> bool:

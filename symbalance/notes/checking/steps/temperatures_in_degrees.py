@@ -18,7 +18,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.units.temperatures import has_temperature, in_degrees
+from symbalance.notes.checking.units.temperatures import has_temperature, in_degrees, speaks_of_celsius
 from symbalance.notes.checking.verdicts import PROVED_WORDS, Verdict
 from symbalance.notes.checking.verdicts import REFUTED as REFUTED_WORD
 from symbalance.notes.reading.equations import Chain, Side
@@ -35,13 +35,15 @@ _SAME = 1e-9
 
 def unless_in_degrees(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; temperatures in °C are judged in kelvin, and in degrees where that is meant."""
-    knowledge = state.knowledge(chain.lines[0])
     left, right, sign = chain.sides[k], chain.sides[k + 1], chain.relations[k].sign
+    is_judged = sign in "=≈" and verdict.verdict in (*PROVED_WORDS, REFUTED_WORD)
+    if not is_judged or not speaks_of_celsius(state.document.text):
+        return verdict
+    knowledge = state.knowledge(chain.lines[0])
     values = {name: d.node for name, d in knowledge.definitions.items()}
     behind = {n for side in (left, right) for n in (*names(side.node), *names_behind(side.node, values))}
     nodes = [left.node, right.node, *(values[n] for n in sorted(behind & values.keys()))]
-    is_of_them = sign in "=≈" and any(map(has_temperature, nodes))
-    if not is_of_them or verdict.verdict not in (*PROVED_WORDS, REFUTED_WORD):
+    if not any(map(has_temperature, nodes)):
         return verdict
     degrees = _knowledge_in_degrees(knowledge)
     there = decide(_side_in_degrees(left), _side_in_degrees(right), sign, degrees)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import lru_cache
 
 from symbalance.document.formula import (
     Constant,
@@ -52,9 +53,15 @@ _ZEROS = {"C": Fraction("273.15"), "F": Fraction("459.67"), "K": Fraction(0)}
 _STEPS = {"C": Fraction(1), "F": Fraction(5, 9), "K": Fraction(1)}
 
 
+@lru_cache(maxsize=4)
+def speaks_of_celsius(text: str) -> bool:
+    """Tell whether a page has °C anywhere; it is asked of every relation."""
+    return _CELSIUS.search(text) is not None
+
+
 def with_temperatures(document: ReadNotes) -> ReadNotes:
     """Return a page whose temperatures in °C are numbers of kelvins, and no degrees of arc times C."""
-    if not _CELSIUS.search(document.text):
+    if not speaks_of_celsius(document.text):
         return document
     letters = {name for chain in document.chains for side in chain.sides for name in _other_letters(side)}
     if "C" in letters and not _SPEAKS.search(document.text):

@@ -8,6 +8,7 @@ radians. Behind s⁻¹ alone either may be meant.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from math import pi
 
@@ -58,21 +59,26 @@ _OF_TURNS = re.compile(
 
 
 def refute_turns(
-    chain: Chain, k: int, document: ReadNotes, dimensions: Dimensions, knowledge: Knowledge
+    chain: Chain,
+    k: int,
+    document: ReadNotes,
+    dimensions_of: Callable[[], Dimensions],
+    knowledge: Knowledge,
 ) -> Decision | None:
     """Refute ω/2 = 157 rpm and n/60 = 50 rad/s, whose numbers are right and whose units are not.
 
-    None for every other relation.
+    None for every other relation. `dimensions_of` is asked only where a result has a unit of either kind.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1]
     typed = _typed(document.source(right.span)) or _typed(_with_unit_behind(right.span, document.text))
     if typed is None or names(right.node) or not names(left) or chain.relations[k].sign not in "=≈":
         return None
     number, unit = typed
-    of_right = _kind_of_unit(unit)
-    kinds = _Kinds(document, dimensions, knowledge)
+    if not (of_right := _kind_of_unit(unit)):
+        return None
+    kinds = _Kinds(document, dimensions_of(), knowledge)
     of_left = kinds.of(left) or kinds.of_head(chain)
-    if not of_right or not of_left or of_left == of_right:
+    if not of_left or of_left == of_right:
         return None
     value = number_of(left, knowledge)
     if not value or not number or abs(float(value) / number - 1) > _NEAR:

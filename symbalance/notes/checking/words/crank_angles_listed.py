@@ -164,9 +164,11 @@ def crank_angles(text: str) -> tuple[CrankAngles, ...]:
     >>> [str(a) for a in crank_angles("Crank throws at 0°, 180°, 180° and 0°.")[0].degrees]
     ['0', '180', '180', '0']
     """
-    groups = [match.span() for match in _GROUPS.finditer(text)]
-    others = (each for each in _in_words(text) if not any(a <= each.place < b for a, b in groups))
-    lists = [*others, *_by_rows(text), *_by_firing(text), *_by_groups(text)]
+    groups = list(_GROUPS.finditer(text))
+    others = (
+        each for each in _in_words(text) if not any(g.start() <= each.place < g.end() for g in groups)
+    )
+    lists = [*others, *_by_rows(text), *_by_firing(text), *_by_groups(groups, text)]
     lists.sort(key=lambda angles: angles.place)
     before = [0, *(angles.place for angles in lists)]
     return tuple(_with_engine(own, first, text) for own, first in zip(lists, before, strict=False))
@@ -340,9 +342,9 @@ def _by_rows(text: str) -> Iterator[CrankAngles]:
         rows = []
 
 
-def _by_groups(text: str) -> Iterator[CrankAngles]:
+def _by_groups(groups: Sequence[re.Match[str]], text: str) -> Iterator[CrankAngles]:
     """Yield the angles that cranks have in groups: cranks 1 and 4 at 0, cranks 2 and 3 at 180°."""
-    for match in _GROUPS.finditer(text):
+    for match in groups:
         angles: dict[int, Fraction] = {}
         bare: list[Fraction] = []
         numbers = 0

@@ -194,15 +194,22 @@ class CrankStar:
 
     def couple(self, order: int) -> float:
         """Return the amplitude of the couple of an order over a cylinder's amplitude and the pitch."""
-        if self.is_radial:
-            return 0.0
-        count = len(self.degrees)
-        return self._size(order, [Fraction(count - 1 - 2 * k, 2) for k in range(count)])
+        return 0.0 if self.is_radial else self._size(order, self._arms)
 
-    def _size(self, order: int, arms: list[Fraction]) -> float:
+    @property
+    def _arms(self) -> list[Fraction]:
+        """How far each cylinder stands from the middle, in pitches."""
+        count = len(self.degrees)
+        return [Fraction(count - 1 - 2 * k, 2) for k in range(count)]
+
+    def _whole(self, order: int, arms: list[Fraction]) -> complex:
+        """Return the sum of the cylinders' phasors of an order, each with its arm."""
         signs = self.signs or (1,) * len(self.degrees)
         parts = zip(signs, arms, self.degrees, strict=True)
-        size = abs(sum(rect(float(s * a), order * pi * float(d) / 180) for s, a, d in parts))
+        return sum((rect(float(s * a), order * pi * float(d) / 180) for s, a, d in parts), 0j)
+
+    def _size(self, order: int, arms: list[Fraction]) -> float:
+        size = abs(self._whole(order, arms))
         if self.banks:  # the larger of what two cylinders on a crank give along and across their middle
             half = self.banks * pi / 360
             size *= 2 * max(abs(f(half) * f(order * half)) for f in (cos, sin))
@@ -211,24 +218,23 @@ class CrankStar:
     def waves(self, order: int, *, is_couple: bool) -> frozenset[str]:
         """Return which of cos nθ and sin nθ an order goes with, θ being the angle of any of the cranks.
 
-        Empty where it goes with neither: the couple of two cranks at 90° lies between.
+        Empty where it goes with neither for one of them: the couple of two cranks at 90° lies between.
 
         >>> CrankStar((0, 180)).waves(1, is_couple=True)
         frozenset({'cos'})
-        >>> CrankStar((0, 90)).waves(1, is_couple=True)
-        frozenset()
+        >>> CrankStar((45, 225)).waves(1, is_couple=True), CrankStar((0, 90)).waves(1, is_couple=True)
+        (frozenset({'cos'}), frozenset())
         """
         if self.is_radial or self.banks:
             return frozenset()
-        count, signs = len(self.degrees), self.signs or (1,) * len(self.degrees)
-        arms = [(count - 1 - 2 * k) / 2 if is_couple else 1.0 for k in range(count)]
-        found: set[str] = set()
+        arms = self._arms if is_couple else [Fraction(1)] * len(self.degrees)
+        waves: set[str] = set()
         for own in self.degrees:
-            turned = [order * pi * float(own - d) / 180 for d in self.degrees]
-            whole = sum(rect(s * a, t) for s, a, t in zip(signs, arms, turned, strict=True))
-            if abs(whole) >= _NOTHING and min(abs(whole.real), abs(whole.imag)) < _NOTHING:
-                found.add("cos" if abs(whole.imag) < _NOTHING else "sin")
-        return frozenset(found)
+            whole = self._whole(order, arms) * rect(1, -order * pi * float(own) / 180)
+            if abs(whole) < _NOTHING or min(abs(whole.real), abs(whole.imag)) >= _NOTHING:
+                return frozenset()
+            waves.add("cos" if abs(whole.imag) < _NOTHING else "sin")
+        return frozenset(waves)
 
     @property
     def text(self) -> str:

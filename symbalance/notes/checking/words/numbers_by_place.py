@@ -58,13 +58,12 @@ def by_index(sections: Sections, chain: Chain, own: Sequence[frozenset[str]]) ->
 
 def by_order(sections: Sections, text: str, chain: Chain, givers: Sequence[Chain]) -> int | None:
     """Return the number of a result's own turn in a sentence that says "respectively"."""
-    start = max(
-        (m.end() for m in _END.finditer(text, givers[0].start, chain.start)), default=givers[0].start
-    )
+    start = givers[0].start
+    if givers[-1].end > chain.start or _END.search(text, start, chain.start):
+        return None
     match = _END.search(text, chain.end)
     end = match.start() if match is not None else len(text)
-    inside = all(start <= g.start for g in givers) and givers[-1].end <= chain.start
-    if not inside or _RESPECTIVELY.search(text, start, end) is None:
+    if _RESPECTIVELY.search(text, start, end) is None:
         return None
     between = sections.chains_between(givers[-1].end, end)
     results = [c for c in between if _stem(c) == _stem(chain)]
