@@ -12,6 +12,7 @@ import pytest
 
 from symbalance.cli import run
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, INTERRUPTED, REFUSED
+from tests.interrupts import that_hears_ctrl_c
 
 PROGRAM = f"{sys.executable} -m symbalance"
 FULL = Path("/dev/full")
@@ -110,11 +111,10 @@ def test_a_closed_pipe_ends_silently_with_the_code_of_the_command(arguments, cod
 @needs_shell
 def test_ctrl_c_ends_silently():
     running = subprocess.Popen(
-        [sys.executable, "-m", "symbalance", "check", "-"],
+        that_hears_ctrl_c("-m", "symbalance", "check", "-"),
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
-        preexec_fn=_hears_ctrl_c,  # noqa: PLW1509
     )
     assert running.stdin is not None
     os.write(running.stdin.fileno(), b" " * 200_000)  # more than a pipe holds: the command reads by now
@@ -127,11 +127,6 @@ def test_ctrl_c_ends_silently():
     for stream in (running.stdin, running.stdout, running.stderr):
         stream.close()
     assert ended_with == (INTERRUPTED, b"", b"")
-
-
-def _hears_ctrl_c() -> None:
-    """Let a command hear Ctrl-C, which what a shell runs in the background is told to ignore."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 # Faults -----------------------------------------------------------------------------------------------

@@ -7,7 +7,6 @@ import os
 import re
 import signal
 import subprocess
-import sys
 import time
 import tomllib
 from pathlib import Path
@@ -17,6 +16,7 @@ import pytest
 from symbalance.cli import run
 from tests import ROOT
 from tests.cranks import sheet, written
+from tests.interrupts import that_hears_ctrl_c
 
 TRUE = "$$\\sin^2 x + \\cos^2 x = 1$$\n"
 FALSE = "$$\\sin^2 x + \\cos^2 x = 2$$\n"
@@ -289,15 +289,14 @@ def test_documents_and_engines_are_the_same_however_many_share_them(notes, tmp_p
 
 
 def _started(*arguments: str) -> subprocess.Popen[str]:
-    """Start a command that hears of an interrupt, also where tests run behind an & that ignores it."""
+    """Start a command in a group of processes of its own, as a terminal does."""
     return subprocess.Popen(
-        [sys.executable, "-m", "symbalance", *arguments],
+        that_hears_ctrl_c("-m", "symbalance", *arguments),
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
         cwd=ROOT,
         start_new_session=True,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),  # noqa: PLW1509
     )
 
 

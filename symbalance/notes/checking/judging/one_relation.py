@@ -781,7 +781,8 @@ def _decide_step(
         decision = state.meant.again(chain, k, knowledge) or decision
     if sign == "=" and against is left:
         decision = decide_roughly(left, right, decision, knowledge)
-    if bad and is_wrong_itself and against is not left and decision.is_proved:
+    is_said_already = decision.reason == MEANT_ROUGHLY
+    if bad and is_wrong_itself and against is not left and decision.is_proved and not is_said_already:
         decision = replace(decision, reason=FROM_SOUND)
     return decision, against
 

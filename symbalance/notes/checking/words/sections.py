@@ -976,10 +976,22 @@ class Sections:
 
         Or behind one that does, said in another letter: only where T < 1, that is for s > 1.
         """
+        return self._stands_behind_only_if(chain, self._behind_only_if)
+
+    @cached_property
+    def _behind_only_if(self) -> list[bool]:
+        """Whether each of the relations, by where they end, stands behind "only if": in one pass."""
+        found: list[bool] = []
+        for chain in self._by_end[1]:
+            found.append(self._stands_behind_only_if(chain, found))
+        return found
+
+    def _stands_behind_only_if(self, chain: Chain, earlier: list[bool]) -> bool:
         text = self.document.text
-        before = self.chain_before(chain.start)
-        if before is not None and _THAT_IS.fullmatch(text, before.end, chain.start) is not None:
-            return self.is_only_if(before)
+        ends, _ = self._by_end
+        before = bisect_right(ends, chain.start) - 1
+        if before >= 0 and _THAT_IS.fullmatch(text, ends[before], chain.start) is not None:
+            return earlier[before]
         return _ONLY_IF.search(text[max(0, chain.start - LONGEST_SENTENCE) : chain.start]) is not None
 
     def end_of_line(self, line: int) -> int:
