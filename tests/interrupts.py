@@ -1,4 +1,4 @@
-"""Programs that hear of Ctrl-C, also where the tests run behind an & that has their children ignore it."""
+"""Programs that hear of Ctrl-C, also where the tests run behind an & that has children ignore it."""
 
 from __future__ import annotations
 
