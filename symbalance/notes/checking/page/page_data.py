@@ -25,6 +25,7 @@ from symbalance.notes.checking.page.indexed_data import (
     tables_of_values,
 )
 from symbalance.notes.checking.page.values_in_prose import GivenInProse, values_in_prose
+from symbalance.notes.checking.page.words_of_values import as_unit
 from symbalance.notes.checking.words.tables import Cell, Table, tables_of
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 from symbalance.notes.reading.letters.macro_letters import letter_in
@@ -40,6 +41,14 @@ _LENGTHS = ("crank radius", "stroke", "rod length", "cylinder pitch")
 _BARE = ("integer", "rod ratio l/r", "rod ratio l/s", "crank ratio r/l", "engine speed rpm")
 """Meanings whose numbers need no unit."""
 
+_BARE_NOUN = re.compile(
+    r"(?:ratio|factor|coefficient|efficiency|(?i:verhältnis|faktor|beiwert|wirkungsgrad)|rapport(?:\s+de\s+\w+)?|facteur"
+    r"|rapporto|rapporto\s+di\s+\w+|fattore|coefficiente|relación|cociente|比|係数|率)[\s|$*:('(（]*$"
+)
+"""Words for what is a number without a unit, right before its letter."""
+_WORDS_OF_CELL = re.compile(r"\$?\\?[^\W\d_]{1,8}(?:_\{?\w{1,8}\}?)?\$?\s*$")
+"""The letter at the end of a cell that begins with words."""
+
 _MARKUP = re.compile(
     r"</?(?:i|b|em|strong|var|math|span|p|code|tt)\b[^>]*>|'{2,3}|\$|\\[()]|`|\\(?:,|;|:|!| )"
     r"|\*\*|~|&nbsp;",
@@ -49,11 +58,23 @@ _STEM = re.compile(r"(?:stem|latexmath|asciimath):[a-z,]{0,20}\[([^][\n]{1,60})\
 """A formula as AsciiDoc and reStructuredText mark it."""
 _SUBSCRIPT = re.compile(r"<sub>([^<]{1,12})</sub>", re.IGNORECASE)
 _MARKED_LETTER = re.compile(r"(?P<words>[^$]*?)\$(?P<letter>[^$=]{1,40})\$(?P<unit>[^$]{0,20})")
+_NAMED_LETTER = re.compile(
+    r"(?P<words>(?:[^\W\d_]{2,}[-\s.]+)*[^\W\d_]{3,})\s+(?P<letter>[A-Za-zα-ωΑ-Ω](?:_\{?\w{1,8}\}?|[₀-₉])?)"
+)
+"""A letter behind the words for it, without marks of a formula: crank radius r."""
+_OTHERS = re.compile(
+    r"(?:engine|motor|moteur|motore|cylinder|zylinder|cylindre|cilindro|case|fall|cas|caso|variant\w*|type|typ|model\w*"
+    r"|point|punkt|punto|part|teil|plane|ebene|bearing|lager|journal|web|wange|side|seite|row|column|figure|item|step"
+    r"|section|bank|pin|gear|shaft|and|und|et|of|in)$",
+    re.IGNORECASE,
+)
+"""Words behind which a letter tells things apart, and is none of a formula: engine A."""
 _UNIT_BESIDE = re.compile(
     r"(?P<letter>.*?)\s*(?:\[(?P<square>[^\]]+)\]|\((?P<round>[^)]+)\)|/\s*(?P<per>\S+))"
 )
 _VALUE = re.compile(
     r"[=≈]?\s*(?P<sign>[-−]?)(?P<digits>[0-9]+(?:[.,][0-9]+|[\u00a0\u202f ][0-9]{3}(?![0-9]))*)"
+    r"(?:/(?P<divisor>[1-9][0-9]{0,2})(?![0-9.,/]))?"
     r"(?:\s*(?:×|·|\*|\\cdot|\\times)\s*10(?:\^?\{?(?P<power>[-−]?[0-9]{1,2})\}?|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2})))?"
     r"\s*(?P<unit>(?:1\s*/|[^\d\s]).*)?"
 )
@@ -216,6 +237,9 @@ class _Reader:
             text = beside["letter"]
             if scale_of(unit) is None:
                 return None
+        named = None if marked else _NAMED_LETTER.fullmatch(text)
+        if named is not None and not _OTHERS.search(named["words"]):
+            text = named["letter"]
         name = letter_in(self.notes.text, bare_cell(text))
         return (name, unit) if name and self._is_letter(name, cell.span[0]) else None
 
@@ -229,13 +253,24 @@ class _Reader:
         if match is None or number is None:
             return None
         line = self.notes.line_of(value.span[0])
-        unit = match["unit"] or (unit_beside if scale_of(bare_cell(unit_beside)) else "")
+        unit = match["unit"] or (unit_beside if scale_of(as_unit(bare_cell(unit_beside))) else "")
         is_count = number.value.denominator == 1 and number.value <= LARGEST_COUNT
         role = role_of(self.symbols_at(line).get(name, ""))
-        if not unit and not (role in _BARE or (is_count and role not in _LENGTHS)):
+        is_bare = (
+            role in _BARE or (is_count and role not in _LENGTHS) or self._is_called_bare(letter.span)
+        )
+        if not unit and not is_bare:
             return None
         node = _with_unit(number, bare_cell(unit), value.span)
         return None if node is None else _as_chain(name, letter.span, node, value.span, line)
+
+    def _is_called_bare(self, letter: Span) -> bool:
+        """Tell whether the words right before a letter, or in its cell, call it what has no unit."""
+        text = self.notes.text
+        before = text[text.rfind("\n", 0, letter[0]) + 1 : letter[0]]
+        return bool(
+            _BARE_NOUN.search(before) or _BARE_NOUN.search(_WORDS_OF_CELL.sub("", text[slice(*letter)]))
+        )
 
     @property
     def _has_commas(self) -> bool:
@@ -285,7 +320,7 @@ def _formula_marks(text: str) -> str:
 
 def _value_match(text: str) -> re.Match[str] | None:
     match = _VALUE.fullmatch(bare_cell(text))
-    if match is None or (match["unit"] and scale_of(match["unit"]) is None):
+    if match is None or (match["unit"] and scale_of(as_unit(match["unit"])) is None):
         return None
     return match
 
@@ -302,6 +337,8 @@ def _number(match: re.Match[str], has_commas: bool) -> Number | None:
     power = int((match["power"] or match["raised"] or "0").translate(_RAISED))
     if number is None:
         return None
+    if match["divisor"]:
+        return Number(number.value / int(match["divisor"]))
     scale = Fraction(10) ** power
     return Number(number.value * scale, number.last_place * scale if number.last_place else None)
 
@@ -319,7 +356,7 @@ def _typed(text: str) -> Number | None:
 
 def _with_unit(number: Number, unit: str, span: Span) -> Formula | None:
     """Return a quantity as it is read in a formula, every part at its place."""
-    scale = scale_of(unit) if unit else (Fraction(1), False)
+    scale = scale_of(as_unit(unit)) if unit else (Fraction(1), False)
     if scale is None:
         return None
     size, is_turn = scale

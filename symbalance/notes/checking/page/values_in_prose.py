@@ -11,36 +11,19 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from symbalance.document.formula import Name, Span, names
+from symbalance.notes.checking.page.words_of_values import (
+    COUNTED,
+    GIVEN,
+    GIVEN_BEFORE,
+    SAID,
+    SETTING,
+    as_unit,
+    unit_behind,
+)
 from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
-_SUBSCRIPT = r"(?:_\{[A-Za-z0-9,]{1,8}\}|_[A-Za-z0-9]|[₀-₉])?"
-_LETTER = (
-    r"(?:\$\s*(?P<dollars>\\?[A-Za-z]{1,12}(?:_\{?[A-Za-z0-9,\\ {}]{1,14}\}?)?)\s*\$"
-    r"|\\\(\s*(?P<bracket>\\?[A-Za-z]{1,12}(?:_\{?[A-Za-z0-9,]{1,8}\}?)?)\s*\\\)"
-    rf"|(?<=[a-zäöüßé]{{3}}[ ])(?P<plain>[A-Za-zα-ωΑ-Ω](?:[a-z]{{1,2}}|{_SUBSCRIPT}))(?![A-Za-z])"
-    rf"|(?<=[\u3041-\u9fff])[ ]?(?P<after_sign>[A-Za-zα-ωΑ-Ω]{_SUBSCRIPT})(?![A-Za-z]))"
-)
-_GIVES = (
-    r"(?:[ ~\n](?:is|of|equals|measures|ist|beträgt|von|mit|misst|vaut|est(?:[ ]de)?|de|mesure|vale"
-    r"|è(?:[ ]di)?|di|es(?:[ ]de)?|mide)[ ~\n]|[ ]?[はがを][ ]?|[ ]\((?=[^()\n]{1,24}\))"
-    r"|(?P<comma>,[ ])(?=[0-9])|(?P<beside>[ ~])(?=\$?[0-9]))"
-)
-_GIVEN = re.compile(
-    rf"{_LETTER}{_GIVES}\$?(?P<number>[0-9]{{1,3}}(?:[ \u202f\u2009][0-9]{{3}})+(?![0-9])"
-    r"|[0-9]+(?:(?:[.,]|\{{,\}})[0-9]+)?)\$?"
-    r"(?=(?P<behind>[^\n]{0,40}(?:\n[^\n]{0,20})?))"
-)
-_SAID = re.compile(rf"{_LETTER}[ ](?:is|equals|ist|beträgt|est|vaut|è|vale|es)[ ~\n](?:\$|\\\()?\s*$")
-"""Before a formula, the letter that a sentence says it is: the stroke $C$ is $2R = 80$ mm."""
-_SETTING = re.compile(r"\\(?:mathrm|text|textrm|rm)(?![A-Za-z])|[{}$]|\\[,;: ]|~")
-_POWER, _END = r"(?:\^?-?[0-9]|[²³])?", r"(?=[\s,.;:)、。のでにとをは]|$)"
-_WORD = rf"[A-Za-zµΩ][A-Za-z]{{0,4}}{_POWER}"
-_UNIT = re.compile(
-    rf"\s*(?P<unit>°|%|{_WORD}(?:[ ]?[/·][ ]?[A-Za-z]{{1,4}}{_POWER}|[ ][A-Za-z]{{1,2}}{_POWER})?){_END}"
-)
-_FIRST_OF_UNIT = re.compile(rf"\s*(?P<unit>{_WORD}){_END}")
 _GOES_ON = re.compile(
     r"\s*(?:[-+−±·*×/^=<>≈≤≥]|\\(?:cdot|times|pm)|(?:less|more|greater|larger|smaller|higher|lower|longer"
     r"|shorter|times|too|above|below|behind|before|after|ahead|apart|to|or|oder|bis|ou|mehr|weniger"
@@ -49,7 +32,7 @@ _GOES_ON = re.compile(
 _OF_A_CASE = re.compile(
     r"(?:\bmax|\bmin|\bpeak|\bmean\b|\baverage|amplitude|\blargest|\bsmallest|\bgreatest|\bmittler|höchst|größt"
     r"|kleinst|moyen|medi[oa]|\bif\b|\bwhen\b|\bwhere\b|\bfor\b|\bwenn\b|\bfalls\b|\bfür\b|\bsi\b|\bpour\b"
-    r"|\binstead|\bwere\b|\bwould\b|\bsuppose|change|difference|error|ratio|multiple|fraction|\bhalf\b|\btwice"
+    r"|\binstead|\bwere\b|\bwould\b|\bsuppose|change|difference|error|ratio(?!\s*$)|multiple|fraction|\bhalf\b|\btwice"
     r"|\bnot\b|nicht|平均|最大|最小|とき|なら)",
     re.IGNORECASE,
 )
@@ -90,7 +73,7 @@ def values_in_prose(
     """Yield the values that sentences give; `letter_of` names the letter, None for what is no letter."""
     own = {side.node.name for chain in page.chains for side in chain.sides if isinstance(side.node, Name)}
     given: dict[str, list[GivenInProse]] = {}
-    for found in (*_given(page.text), *_of_formulas(page)):
+    for found in (*_given(page.text), *_given_before(page.text), *_of_formulas(page)):
         name = letter_of(found)
         if name is not None:
             given.setdefault(name, []).append(found)
@@ -106,11 +89,11 @@ def _of_formulas(page: ReadNotes) -> Iterator[GivenInProse]:
         if isinstance(first.node, Name) or names(last.node) or len(chain.sides) > _FEW_SIDES:
             continue
         start = max(chain.start - _LONGEST_CLAUSE, 0)
-        match = _SAID.search(page.text, start, chain.start)
+        match = SAID.search(page.text, start, chain.start)
         if match is None or _OF_A_CASE.search(_CLAUSE.split(page.text[start : match.start()])[-1]):
             continue
         letter, place = _letter_in(match)
-        value = " ".join(_SETTING.sub(" ", page.source(last.span).replace("{,}", ",")).split())
+        value = " ".join(SETTING.sub(" ", page.source(last.span).replace("{,}", ",")).split())
         yield GivenInProse(letter, place, value, last.span)
 
 
@@ -122,14 +105,14 @@ def values_said(text: str, first: int, last: int) -> Iterator[GivenInProse]:
 def _given(
     text: str, first: int = 0, last: int | None = None, unless: re.Pattern[str] = _OF_A_CASE
 ) -> Iterator[GivenInProse]:
-    for match in _GIVEN.finditer(text, first, len(text) if last is None else last):
+    for match in GIVEN.finditer(text, first, len(text) if last is None else last):
         clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
-        unit, end = _unit_behind(match["behind"])
+        unit, end = unit_behind(match["behind"])
         if match["beside"] and unit not in _SIZES:  # r 45 mm, and no r 2
             continue
         if match["comma"] and (unit not in _SIZES | _AREAS or _AWAY.match(match["behind"][end:])):
             continue  # a section S, 160 mm², and no point P, 30 mm from the pin
-        if not unit and _is_factor(text, *match.span("number")):
+        if not unit and (_is_factor(text, *match.span("number")) or COUNTED.match(match["behind"])):
             continue
         if unless.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
@@ -140,9 +123,25 @@ def _given(
         yield GivenInProse(letter, place, value, value_span)
 
 
+def _given_before(text: str) -> Iterator[GivenInProse]:
+    """Yield the values that stand before the letter that has them: 80 mm, which we call s."""
+    for match in GIVEN_BEFORE.finditer(text):
+        clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
+        unit = as_unit(match["unit"])
+        is_read = unit == "" or scale_of(unit) is not None
+        if not is_read or _OF_A_CASE.search(clause.rstrip()):
+            continue
+        group = "dollars" if match["dollars"] else "plain"
+        number = re.sub(r"(?<=[0-9])[ \u202f\u2009](?=[0-9])", "", match["number"])
+        value = f"{number} {unit}".strip().replace("{,}", ",")
+        yield GivenInProse(
+            match[group], match.span(group), value, (match.start("number"), match.end("unit"))
+        )
+
+
 def _letter_in(match: re.Match[str]) -> tuple[str, Span]:
     """Return the letter that a pattern with `_LETTER` has found, and its place."""
-    group = next(n for n in ("dollars", "bracket", "plain", "after_sign") if match[n])
+    group = next(n for n in ("dollars", "bracket", "plain", "after_sign", "apart") if match[n])
     return match[group], match.span(group)
 
 
@@ -151,13 +150,3 @@ def _is_factor(text: str, first: int, last: int) -> bool:
     is_within = text[first - 1 : first] == "$" and text[last : last + 1] != "$"
     behind = text[last : last + 1]
     return is_within or (behind.isalpha() and behind < _KANA) or behind == "\\"
-
-
-def _unit_behind(text: str) -> tuple[str, int]:
-    """Return the unit that stands behind a number, and where it ends; "" and 0 for none."""
-    plain = _SETTING.sub(lambda match: " " * len(match[0]), text)
-    for pattern in (_UNIT, _FIRST_OF_UNIT):
-        match = pattern.match(plain)
-        if match is not None and scale_of(" ".join(match["unit"].split())) is not None:
-            return " ".join(match["unit"].split()), match.end()
-    return "", 0

@@ -28,7 +28,8 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
     """Forget what fixed the angle of a new condition in a paragraph above; tell whether anything did."""
     sections, definitions = state.sections, state.definitions
     is_angle = is_multiple_of_angle(chain) and sections.opens_case(chain)
-    if len(chain.relations) != 1 or not (is_angle or sections.is_condition(chain)):
+    is_elsewhere = sections.is_condition(chain) or sections.place_named(chain) is not None
+    if len(chain.relations) != 1 or not (is_angle or is_elsewhere):
         return False
     angles = {
         name
@@ -45,7 +46,7 @@ def leave_place(state: JudgingState, chain: Chain) -> bool:
             is_past(e.definition.line) and e.definition.numeric for e in definitions.values.get(name, ())
         )
     }
-    fixed |= valued if sections.is_condition(chain) else set()
+    fixed |= valued if is_elsewhere else set()
     if not fixed:
         return False
     definitions.premises = [p for p in definitions.premises if not is_past(p.line) or not p.names & fixed]

@@ -8,6 +8,7 @@ Where it is neither, what was said of it stays.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import NamedTuple
 
 from symbalance.document.formula import Constant, Formula, Name, Number, Product, names
 from symbalance.notes.algebra.letters_behind import names_behind
@@ -36,7 +37,7 @@ def at_crank_angle_in_words(state: JudgingState, chain: Chain, k: int, verdict: 
     if verdict.verdict not in _JUDGED or names(right.node) or not names(left.node):
         return verdict
     if (place := _place(state, chain)) is None:
-        return verdict
+        return unless_otherwise_at_place(state, chain, k, verdict)
     knowledge = without_moments(chain, state.sections, state.knowledge(chain.lines[0]))
     theta = _crank_angle(left.node, knowledge)
     if theta is None or _has_nearer_number(state, chain, theta, place.start):
@@ -45,7 +46,49 @@ def at_crank_angle_in_words(state: JudgingState, chain: Chain, k: int, verdict: 
     is_open = verdict.verdict in (PREMISE, UNDECIDED)
     if there.is_proved or (is_open and there.status == REFUTED and there.reason):
         return describe(state.document, chain, k, there)
-    return verdict
+    return unless_otherwise_at_place(state, chain, k, verdict)
+
+
+def unless_otherwise_at_place(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; undecided for what fixes an angle otherwise than what is said of it.
+
+    At bottom dead centre cos θ = 1, or "hence cos β = 0.866" behind β = 60°: it may be of another crank.
+    """
+    left, right = chain.sides[k], chain.sides[k + 1]
+    if verdict.verdict != CONDITION or isinstance(left.node, Name) or names(right.node):
+        return verdict
+    knowledge = without_moments(chain, state.sections, state.knowledge(chain.lines[0]))
+    own = names(left.node)
+    where = _angle_said(state, chain, min(own)) if len(own) == 1 else None
+    if where is None or (where.is_of_crank and _crank_angle(left.node, knowledge) not in own):
+        return verdict
+    known = knowledge.with_definition(min(own), Definition(where.angle, chain.lines[0], True))
+    if decide(left, right, chain.relations[k].sign, known).status != REFUTED:
+        return verdict
+    return describe(state.document, chain, k, Decision(UNDECIDED, where.reason))
+
+
+class _AngleSaid(NamedTuple):
+    """The angle at which a relation is said to be, and what to say of one that is not so there."""
+
+    angle: Formula
+    reason: str
+    is_of_crank: bool
+
+
+def _angle_said(state: JudgingState, chain: Chain, name: str) -> _AngleSaid | None:
+    """Return the angle that a relation's sentence names, or that of the line it is a consequence of."""
+    place = state.sections.place_named(chain)
+    if place is not None:
+        reason = f"not where its sentence says it is, at {place.degrees}°: of another angle, or wrong"
+        return _AngleSaid(place.angle, reason, is_of_crank=True)
+    if not state.sections.is_consequence(chain):
+        return None
+    for premise in reversed(state.definitions.premises_at(chain.lines[0])):
+        if premise.left == Name(name) and not names(premise.right):
+            reason = f"not with {premise.text} of line {premise.line}: of another angle, or wrong"
+            return _AngleSaid(premise.right, reason, is_of_crank=False)
+    return None
 
 
 def _decide_there(chain: Chain, k: int, theta: str, place: CrankPlace, knowledge: Knowledge) -> Decision:

@@ -1107,6 +1107,10 @@ class Sections:
         is_next = first is not None and _RIGHT_BEHIND.fullmatch(words[: first.start]) is not None
         return first if is_next else None
 
+    def place_named(self, chain: Chain) -> PlaceInWords | None:
+        """Return the place of the crank that a relation's sentence names last before it, or None."""
+        return last_place(self._english(self.sentence_before(chain)))
+
     def is_at_another_place(self, chain: Chain) -> bool:
         """Tell whether words place a value elsewhere than its last one: at 0°, then at 180°.
 
