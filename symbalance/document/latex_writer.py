@@ -71,7 +71,10 @@ class LatexWriter(FormulaWriter):
 
     dots_sign = "\\cdots"
     plus_minus = {1: r"\pm ", -1: r"\mp "}  # noqa: RUF012 - a table
-    relations = {"≈": r"\approx", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≪": r"\ll", "≫": r"\gg"}  # noqa: RUF012 - a table
+    relations = {  # noqa: RUF012 - a table
+        "≈": r"\approx", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≪": r"\ll", "≫": r"\gg",
+        "∝": r"\propto",
+    }  # fmt: skip
 
     def __init__(self) -> None:
         super().__init__()

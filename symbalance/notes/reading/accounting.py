@@ -16,7 +16,7 @@ from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.equations import Explained, Passed, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.passages.meanings_in_words import Meaning, is_meaning, is_word, meaning_at
-from symbalance.notes.reading.signs import REFUSED, RELATION, UNREAD_RELATIONS
+from symbalance.notes.reading.signs import RELATION, UNREAD_RELATIONS
 from symbalance.notes.reading.sources import CELL_END
 from symbalance.notes.reading.units import is_unit_of_letter
 from symbalance.text import lazy_patterns as re
@@ -41,7 +41,7 @@ _NO_RELATION_BEHIND = r"(?!(?:[^\n=<>≈≤≥⇒,;.]|[.,](?=[0-9])){0,60}[=≈�
 _BETWEEN_NUMBERS = rf"(?<=[0-9)])(?:\s*(?:(?:=>|⇒)\s*{_NO_RELATION_BEHIND}|(?:<<|>>)\s*)(?=[-−(]?[0-9]))"
 """An arrow from number to number: between relations it says what follows from what, here it claims."""
 _SIGN = re.compile(
-    rf"==|:=|<=(?!>)|>=|!=|∝|\\propto(?![A-Za-z])|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
+    rf"==|:=|<=(?!>)|>=|!=|{_BETWEEN_NUMBERS}|{RELATION.pattern}"
     rf"|{UNREAD_RELATIONS.pattern}"
 )
 _WORD = r"[^\W\d_][\w'’]*(?:-[^\W\d_]{2}[\w'’]*)*"
@@ -204,8 +204,6 @@ class Account:
 
     def _unread_sign(self, place: int) -> tuple[str, str] | None:
         """Return why a relation sign is never judged and what to write for it, None for others."""
-        if self.text.startswith(("∝", "\\propto"), place):
-            return REFUSED["propto"]
         if (operation := self._operation_before(place)) is not None:
             word = operation[0].rstrip("( ").split()[0]
             return f"{word}, an operation with its bounds in words", "write it in signs"

@@ -18,7 +18,7 @@ _ENTITY = re.compile(r"&(?:[a-z]{2,8}|#[0-9]{2,5});", re.IGNORECASE)
 _SUPERSCRIPT = re.compile(r"<sup>([-−+]?[0-9]{1,2})</sup>", re.IGNORECASE)
 _SUBSCRIPT = re.compile(r"<sub>([^<>]{1,12})</sub>", re.IGNORECASE)
 _RAISED = str.maketrans("0123456789-−+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻⁺")
-RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠", "≪", "≫")
+RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠", "≪", "≫", "∝")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from symbalance.text import lazy_patterns as re
 RELATION_SIGNS = {
     "=": "=", "＝": "=", "≈": "≈", "≒": "≈", "≃": "≈", "≅": "≈", "≐": "≈", "∼": "≈", "≑": "≈", "<": "<",
     ">": ">", "≤": "≤", "≥": "≥", "≦": "≤", "≧": "≥", "⩽": "≤", "⩾": "≥", "≡": "≡", "≜": "=", "≔": "=",
-    "≠": "≠", "≪": "≪", "≫": "≫",
+    "≠": "≠", "≪": "≪", "≫": "≫", "∝": "∝",
 }  # fmt: skip
 
 RELATION_COMMANDS = {
@@ -19,6 +19,7 @@ RELATION_COMMANDS = {
     **dict.fromkeys(words("triangleq coloneqq coloneq colonequals eqqcolon eqcolon equalscolon"), "="),
     **dict.fromkeys(words("eq defeq shallbe"), "="),
     "lt": "<", "gt": ">", "equiv": "≡", "neq": "≠", "ne": "≠", "ll": "≪", "gg": "≫",
+    "propto": "∝", "varpropto": "∝",
 }  # fmt: skip
 
 OPERATOR_SIGNS = {
@@ -144,7 +145,6 @@ REFUSED: dict[str, tuple[str, str]] = {
         " leftrightarrow Leftrightarrow mapsto therefore because"),
         ("arrows are not read", "write each equation on a line of its own"),
     ),
-    **dict.fromkeys(words("propto"), ("proportionality is not read", "write = with its constant")),
     **dict.fromkeys(words("in subset cup cap land lor forall exists"), ("sets are not read", "")),
 }  # fmt: skip
 
@@ -159,7 +159,7 @@ UNREAD_RELATIONS = re.compile(
 
 REFUSED_SIGNS = {
     "→": REFUSED["to"], "⇒": REFUSED["to"], "←": REFUSED["to"], "↔": REFUSED["to"], "⇔": REFUSED["to"],
-    "∴": REFUSED["to"], "∵": REFUSED["to"], "∝": REFUSED["propto"],
+    "∴": REFUSED["to"], "∵": REFUSED["to"],
     "%": ("percentages are not read", "write the number divided by 100"),
 }  # fmt: skip
 

@@ -154,6 +154,7 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.own_row import by_own_row
+from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
 from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
@@ -850,9 +851,10 @@ class Judge:
         self._undo_own(chain, k)
         if (by_place := self._decide_by_place(chain, k)) is not None:
             return describe(self.document, chain, k, by_place)
-        knowledge = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
-        knowledge = self.state.knowledge_of(chain, knowledge)
-        mismatch = self._mismatch(chain, k, sound if bad else k, knowledge)
+        here = with_clauses_below(self.state, chain, k, self.state.knowledge(chain.lines[0]))
+        knowledge = self.state.knowledge_of(chain, here)
+        of_any_units = chain.relations[k].sign == PROPORTIONAL
+        mismatch = None if of_any_units else self._mismatch(chain, k, sound if bad else k, knowledge)
         if (own := self._of_its_own_kind(chain, k, mismatch, knowledge)) is not None:
             return describe(self.document, chain, k, own)
         if mismatch is not None and (

@@ -82,6 +82,8 @@ from symbalance.notes.checking.steps.much_larger import PLAIN, decide_much_large
 from symbalance.notes.checking.steps.named_roots import as_named_root, as_one_solution
 from symbalance.notes.checking.steps.open_cases import case_of_a_letter, leave_range_of_case
 from symbalance.notes.checking.steps.products_of_vectors import decide_products_of_vectors
+from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
+from symbalance.notes.checking.steps.proportional import decide_proportional
 from symbalance.notes.checking.steps.relation_fixes import add_fix_of_relation
 from symbalance.notes.checking.steps.relative_motions import decide_relative_motion
 from symbalance.notes.checking.steps.solved_balances import as_balance_solution
@@ -135,6 +137,8 @@ def judge_relation(
     """Return the verdict on the k-th relation of a chain, or the decision that it only describes."""
     relation = chain.relations[k]
     left, right = chain.sides[k], chain.sides[k + 1]
+    if relation.sign == PROPORTIONAL:
+        return decide_proportional(chain, k, knowledge)
     of_matrices = is_of_matrices(left.node, right.node, knowledge)
     unjudged = decide_products_of_vectors(chain, k, state.document, knowledge)
     if (

@@ -42,12 +42,12 @@ _BARE = ("integer", "rod ratio l/r", "rod ratio l/s", "crank ratio r/l", "engine
 """Meanings whose numbers need no unit."""
 
 _BARE_NOUN = re.compile(
-    r"(?:ratio|factor|coefficient|efficiency|(?i:verhältnis|faktor|beiwert|wirkungsgrad)|rapport(?:\s+de\s+\w+)?|facteur"
-    r"|rapporto|rapporto\s+di\s+\w+|fattore|coefficiente|relación|cociente|比|係数|率)[\s|$*:('(（]*$"
+    r"(?:ratio|factor|coefficient|efficiency|(?i:verhältnis|faktor|beiwert|wirkungsgrad)|rapport|facteur|rapporto"
+    r"|fattore|coefficiente|relación|cociente)(?![^\W\d_])|比|係数|率"
 )
-"""Words for what is a number without a unit, right before its letter."""
-_WORDS_OF_CELL = re.compile(r"\$?\\?[^\W\d_]{1,8}(?:_\{?\w{1,8}\}?)?\$?\s*$")
-"""The letter at the end of a cell that begins with words."""
+"""Words for what is a number without a unit."""
+_NEAR_WORDS = 40
+"""Characters before a letter and its number in which words say what it is."""
 
 _MARKUP = re.compile(
     r"</?(?:i|b|em|strong|var|math|span|p|code|tt)\b[^>]*>|'{2,3}|\$|\\[()]|`|\\(?:,|;|:|!| )"
@@ -74,7 +74,7 @@ _UNIT_BESIDE = re.compile(
 )
 _VALUE = re.compile(
     r"[=≈]?\s*(?P<sign>[-−]?)(?P<digits>[0-9]+(?:[.,][0-9]+|[\u00a0\u202f ][0-9]{3}(?![0-9]))*)"
-    r"(?:/(?P<divisor>[1-9][0-9]{0,2})(?![0-9.,/]))?"
+    r"(?:/(?P<divisor>[1-9][0-9]{0,2})(?![0-9/]|[.,][0-9]))?"
     r"(?:\s*(?:×|·|\*|\\cdot|\\times)\s*10(?:\^?\{?(?P<power>[-−]?[0-9]{1,2})\}?|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2})))?"
     r"\s*(?P<unit>(?:1\s*/|[^\d\s]).*)?"
 )
@@ -257,20 +257,21 @@ class _Reader:
         is_count = number.value.denominator == 1 and number.value <= LARGEST_COUNT
         role = role_of(self.symbols_at(line).get(name, ""))
         is_bare = (
-            role in _BARE or (is_count and role not in _LENGTHS) or self._is_called_bare(letter.span)
+            role in _BARE
+            or (is_count and role not in _LENGTHS)
+            or self._is_called_bare(letter.span, value.span)
         )
         if not unit and not is_bare:
             return None
         node = _with_unit(number, bare_cell(unit), value.span)
         return None if node is None else _as_chain(name, letter.span, node, value.span, line)
 
-    def _is_called_bare(self, letter: Span) -> bool:
-        """Tell whether the words right before a letter, or in its cell, call it what has no unit."""
+    def _is_called_bare(self, letter: Span, value: Span) -> bool:
+        """Tell whether the words around a letter and its number call it what has no unit."""
         text = self.notes.text
-        before = text[text.rfind("\n", 0, letter[0]) + 1 : letter[0]]
-        return bool(
-            _BARE_NOUN.search(before) or _BARE_NOUN.search(_WORDS_OF_CELL.sub("", text[slice(*letter)]))
-        )
+        first, last = min(letter[0], value[0]), max(letter[1], value[1])
+        start = max(text.rfind("\n", 0, first) + 1, text.rfind(". ", 0, first) + 1, first - _NEAR_WORDS)
+        return _BARE_NOUN.search(text, start, last) is not None
 
     @property
     def _has_commas(self) -> bool:

@@ -21,18 +21,20 @@ from symbalance.notes.checking.page.words_of_values import (
     unit_behind,
 )
 from symbalance.notes.reading.equations import ReadNotes
+from symbalance.notes.reading.spellings.numerals import unit_spelled
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
 _GOES_ON = re.compile(
     r"\s*(?:[-+−±·*×/^=<>≈≤≥]|\\(?:cdot|times|pm)|(?:less|more|greater|larger|smaller|higher|lower|longer"
-    r"|shorter|times|too|above|below|behind|before|after|ahead|apart|to|or|oder|bis|ou|mehr|weniger"
-    r"|größer|kleiner|höher|länger|kürzer|plus|moins|más|più|per|by)(?![A-Za-z])|[より])"
+    r"|shorter|times|too|above|below|behind|before|after|ahead|apart|to|bis|mehr|weniger|größer|kleiner|höher"
+    r"|länger|kürzer|plus|moins|más|più|per|by)(?![A-Za-z])|[より]"
+    r"|(?:or|oder|ou|o)\s\$?(?:[0-9]|more|less|even|mehr|weniger|plus|moins))"
 )
 _OF_A_CASE = re.compile(
     r"(?:\bmax|\bmin|\bpeak|\bmean\b|\baverage|amplitude|\blargest|\bsmallest|\bgreatest|\bmittler|höchst|größt"
     r"|kleinst|moyen|medi[oa]|\bif\b|\bwhen\b|\bwhere\b|\bfor\b|\bwenn\b|\bfalls\b|\bfür\b|\bsi\b|\bpour\b"
-    r"|\binstead|\bwere\b|\bwould\b|\bsuppose|change|difference|error|ratio(?!\s*$)|multiple|fraction|\bhalf\b|\btwice"
+    r"|\binstead|\bwere\b|\bwould\b|\bsuppose|change|difference|error|ratio(?![\s,]*$)|multiple|fraction|\bhalf\b|\btwice"
     r"|\bnot\b|nicht|平均|最大|最小|とき|なら)",
     re.IGNORECASE,
 )
@@ -107,7 +109,7 @@ def _given(
 ) -> Iterator[GivenInProse]:
     for match in GIVEN.finditer(text, first, len(text) if last is None else last):
         clause = _CLAUSE.split(text[max(match.start() - _LONGEST_CLAUSE, 0) : match.start()])[-1]
-        unit, end = unit_behind(match["behind"])
+        unit, end = _unit_behind(text, match)
         if match["beside"] and unit not in _SIZES:  # r 45 mm, and no r 2
             continue
         if match["comma"] and (unit not in _SIZES | _AREAS or _AWAY.match(match["behind"][end:])):
@@ -121,6 +123,15 @@ def _given(
         value = f"{number} {unit}".strip().replace("{,}", ",")
         value_span = match.start("number"), match.start("behind") + end
         yield GivenInProse(letter, place, value, value_span)
+
+
+def _unit_behind(text: str, match: re.Match[str]) -> tuple[str, int]:
+    """Return the unit behind a number, as a sign or in words, and how many characters it takes."""
+    unit, end = unit_behind(match["behind"])
+    if unit:
+        return unit, end
+    unit, last = unit_spelled(text, match.end("number"))
+    return (unit, last - match.start("behind")) if unit and scale_of(unit) is not None else ("", 0)
 
 
 def _given_before(text: str) -> Iterator[GivenInProse]:

@@ -84,11 +84,16 @@ def _angle_said(state: JudgingState, chain: Chain, name: str) -> _AngleSaid | No
         return _AngleSaid(place.angle, reason, is_of_crank=True)
     if not state.sections.is_consequence(chain):
         return None
-    for premise in reversed(state.definitions.premises_at(chain.lines[0])):
-        if premise.left == Name(name) and not names(premise.right):
-            reason = f"not with {premise.text} of line {premise.line}: of another angle, or wrong"
-            return _AngleSaid(premise.right, reason, is_of_crank=False)
-    return None
+    above = state.sections.last_above(Name(name), chain.start)
+    if above is None or names(above.sides[-1].node) or not _is_in_section(state, above, chain):
+        return None
+    shown = f"{plain_text(Name(name))} = {state.document.source(above.sides[-1].span)}"
+    reason = f"not with {shown} of line {above.lines[0]}: of another angle, or wrong"
+    return _AngleSaid(above.sides[-1].node, reason, is_of_crank=False)
+
+
+def _is_in_section(state: JudgingState, above: Chain, chain: Chain) -> bool:
+    return state.sections.same_section(above.lines[0], chain.lines[0])
 
 
 def _decide_there(chain: Chain, k: int, theta: str, place: CrankPlace, knowledge: Knowledge) -> Decision:

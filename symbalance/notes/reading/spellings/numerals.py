@@ -152,6 +152,18 @@ FEWEST_WORDS = 3
 """Of a language that writes decimal commas, before `1,5` counts as one; `i = 1,2` is a list elsewhere."""
 
 
+def unit_spelled(text: str, place: int) -> tuple[str, int]:
+    """Return the unit that is written out behind a number, and where it ends; "" and the place for none.
+
+    >>> unit_spelled("8 inches or so", 1), unit_spelled("8 throws", 1)
+    (('inch', 8), ('', 1))
+    """
+    match = _SPELLED_UNIT.match(text, place)
+    if match is None:
+        return "", place
+    return _SPELLED[int((match.lastgroup or "u0")[1:])][0], match.end()
+
+
 def with_plain_numerals(
     text: str, is_letter: Callable[[str, int], bool] = lambda name, line: False
 ) -> tuple[Rewritten | None, tuple[str, ...]]:

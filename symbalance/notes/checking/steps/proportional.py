@@ -1,0 +1,112 @@
+"""Proportions: F ∝ ω² says that F over ω² is the same whatever ω is, all else staying as it is.
+
+Both sides are followed to the letters that formulas above give them; numbers of these letters are left
+out, since what is claimed is claimed of every speed. A page may go on from ω to n: F ∝ ω² ∝ n².
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name, Number, Power, Product, names
+from symbalance.document.letters import plain_letter
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.verdicts import PREMISE
+from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
+from symbalance.notes.reading.equations import Chain
+
+SIGN = "∝"
+STATED = "said to be proportional, which no formula above shows"
+_TIMES = "times_of_it"
+"""The letter by which another one is multiplied."""
+_MOST_STEPS = 12
+"""Letters put in one after the other: a formula that needs more is that of a circle."""
+_POWERS = tuple(Fraction(n, 2) for n in (0, 2, -2, 4, -4, 6, -6, 8, -8, 1, -1, 3, -3))
+
+
+def decide_proportional(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
+    """Return the decision on a relation ∝: proved, refuted with the right power, or a premise."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if not names(right):
+        return Decision(UNDECIDED, "proportional to a number: say to which letter")
+    try:
+        pairs = [*_pairs(left, right, knowledge)]
+        for first, second in pairs:
+            shared = sorted(names(second) & names(first) - knowledge.angles)
+            if shared:
+                return _decide_powers(first, second, shared, knowledge)
+    except NoFormError as problem:
+        return Decision(UNDECIDED, f"no normal form: {problem}")
+    first, second = pairs[-1]
+    if isinstance(first, Name):
+        return Decision(PREMISE, STATED)
+    letters = " and ".join(map(plain_letter, sorted(names(second))))
+    return Decision(UNDECIDED, f"{letters} does not stand in {plain_text(first)}: say how they are tied")
+
+
+def _pairs(left: Formula, right: Formula, knowledge: Knowledge) -> Iterator[tuple[Formula, Formula]]:
+    """Yield both sides with formulas put in: those of the left one's letters first, then all."""
+    formulas = {
+        name: definition.node
+        for name, definition in knowledge.formulas.items()
+        if names(definition.node) and name not in knowledge.angles
+    }
+    own = {name: node for name, node in formulas.items() if name not in names(right)}
+    yield _written_out(left, own), right
+    yield _written_out(left, formulas), _written_out(right, formulas)
+
+
+def _written_out(node: Formula, formulas: Mapping[str, Formula]) -> Formula:
+    for _ in range(_MOST_STEPS):
+        name = next((n for n in sorted(names(node)) if n in formulas), None)
+        if name is None:
+            return node
+        node = substitute(node, name, formulas[name])
+    return node
+
+
+def _decide_powers(left: Formula, right: Formula, letters: list[str], knowledge: Knowledge) -> Decision:
+    """Return the decision by how each side grows with each letter that stands in both."""
+    bare = _of_any_size(names(left) | names(right), knowledge)
+    for name in letters:
+        if not _grows_as(left, right, name, bare).is_proved:
+            return _not_so(left, right, name, bare)
+    return Decision(PROVED)
+
+
+def _not_so(left: Formula, right: Formula, name: str, bare: Knowledge) -> Decision:
+    """Return why a proportion fails in a letter: with the power that is right, if one is."""
+    powers = (_power(name, exponent) for exponent in _POWERS)
+    grown = next((power for power in powers if _grows_as(left, power, name, bare).is_proved), None)
+    if grown is not None:
+        return Decision(REFUTED, f"the left side grows as {plain_text(grown)}")
+    if _grows_as(left, right, name, bare).status != REFUTED:
+        return Decision(UNDECIDED, f"how the left side grows with {plain_letter(name)} is not decided")
+    return Decision(REFUTED, f"the left side does not grow as a power of {plain_letter(name)}")
+
+
+def _of_any_size(letters: frozenset[str], knowledge: Knowledge) -> Knowledge:
+    """Return what is known where letters are sizes without a value: neither numbers nor formulas."""
+    sizes = {*letters, _TIMES} - knowledge.angles
+    meaning = replace(knowledge.meaning, positive=knowledge.meaning.positive | sizes, values={})
+    return Knowledge(meaning=meaning, letters=knowledge.letters | letters | {_TIMES}, corrects=False)
+
+
+def _grows_as(left: Formula, right: Formula, name: str, knowledge: Knowledge) -> Decision:
+    """Return whether both sides grow alike when a letter is multiplied by another one."""
+    scaled = Product((Name(_TIMES), Name(name)))
+    crosswise = (
+        Product((substitute(left, name, scaled), right)),
+        Product((left, substitute(right, name, scaled))),
+    )
+    return decide(lone_side(crosswise[0]), lone_side(crosswise[1]), "=", knowledge)
+
+
+def _power(name: str, exponent: Fraction) -> Formula:
+    return Name(name) if exponent == 1 else Power(Name(name), Number(exponent))
