@@ -68,6 +68,7 @@ from symbalance.notes.reading.spellings.tables_of_quantities import with_equatio
 from symbalance.notes.reading.spellings.times_in_parts import with_times_in_one
 from symbalance.notes.reading.spellings.units_behind_waves import with_units_of_waves
 from symbalance.notes.reading.spellings.units_below_strokes import with_units_below_strokes
+from symbalance.notes.reading.spellings.units_in_brackets import with_units_without_brackets
 from symbalance.notes.reading.spellings.units_in_parts import with_sums_of_units
 from symbalance.notes.reading.spellings.words_behind_units import with_words_apart
 from symbalance.notes.reading.spellings.wrapped_lines import SOFT_END, with_soft_ends
@@ -193,6 +194,7 @@ def prepare(
         with_divisions,
         with_times_in_one,
         with_words_apart,
+        with_units_without_brackets,
         with_sums_of_units,
         with_bracketed_divisors,
     ):

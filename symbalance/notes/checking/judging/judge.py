@@ -178,6 +178,7 @@ from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
 from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
+from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -255,6 +256,7 @@ _LAST: tuple[_Look, ...] = (
     unless_not_the_only,
     unless_of_arrays,
     unless_under_bars,
+    unless_units_said_once,
 )
 """What does so once a relation has been read in its case and its row."""
 

@@ -43,6 +43,12 @@ _POINTED_WITH_COMMA = re.compile(
     _APART + r"(?<!_\{)([1-9][0-9]{0,2}(?:\.[0-9]{3}){1,4}),([0-9]{1,6})(?![0-9A-Za-z]|[.,][0-9])"
 )
 """4.663,5 has points between thousands and a decimal comma, whatever the rest of the page has."""
+_POINTED_SPEED = re.compile(
+    _APART
+    + r"([1-9][0-9]?)\.([0-9]{3})(?=(?:\$|\\\))?(?:[ ~]|\\[,;: ])*(?:\\(?:mathrm|text|textrm)\{)?[ ]?"
+    r"(?:rpm|1?/min|(?:U|tr|giri|rev)\.?[ ]?/[ ]?min|min[ ]?(?:\^\{?[-−]1|⁻¹|<sup>[-−]1)))"
+)
+"""3.000 min⁻¹: no engine turns three times a minute, and nobody gives a speed to its thousandth."""
 _THIN_THOUSANDS = re.compile(
     r"(?<![\w.,\\\u2009\u202f])[1-9][0-9]{0,2}(?:[\u2009\u202f][0-9]{3})+(?![0-9\u2009\u202f][0-9])(?![0-9])"
 )
@@ -181,6 +187,9 @@ def with_plain_numerals(
     _note(notes, "decimal points", raised, text)
     commas = _commas(text, notes, bool(raised))
     changes |= commas
+    speeds = {m.start(): (m.end(), m[1] + m[2]) for m in _POINTED_SPEED.finditer(text)}
+    _note(notes, "points between thousands", speeds, text)
+    changes |= speeds
     both = {
         m.start(): (m.end(), f"{m[1].replace('.', '')}.{m[2]}")
         for m in _POINTED_WITH_COMMA.finditer(text)
@@ -262,7 +271,8 @@ def _commas(text: str, notes: list[str], has_raised_points: bool) -> dict[int, t
     _note(notes, "decimal commas", zeros, text)
     if not points and not is_usual:  # 3,900/2,883 = 1.353 has both, and no words of a decimal comma
         points = [match for match in _POINT.finditer(text) if _follows_formula(text, match)]
-    if (points or has_raised_points) and not zeros:
+    has_quantities = not is_usual and any(map(_is_one_number, grouped))  # 1,200 kg
+    if (points or has_raised_points or has_quantities) and not zeros:
         changes = {m.start(): (m.end(), m[1] + m[2].replace(",", "")) for m in grouped}
         _note(notes, "commas between thousands", changes, text)
     return changes | zeros
@@ -579,7 +589,7 @@ def _is_surely_decimal(match: re.Match[str], is_usual: bool) -> bool:
 
 
 _UNIT_BEHIND = re.compile(
-    r"(?:[ ~]|\\[,;: ])?(?:\\(?:mathrm|text|textrm)\{)?[ ]?"
+    r"(?:\$|\\\))?(?:[ ~]|\\[,;: ])?(?:\\(?:mathrm|text|textrm)\{)?[ ]?"
     r"(?P<unit>(?:[kMmcµ]?(?:N|Pa|W|J|m|g|s|Hz)|bar|rad|U|kp|PS|min)(?:[²³]|[ ·]?m)?"
     r"(?:/(?:[mckM]?[msg]|min|mm|rad)[²³]?)?)"
     r"(?![A-Za-z0-9_\u00c0-\u024f])"

@@ -13,7 +13,7 @@ from symbalance.text import lazy_patterns as re
 
 _UNIT = r"[A-Za-zµμΩ°%][A-Za-zµμΩ·⋅*/²³⁴⁻¹^0-9.-]{0,11}(?:[ ](?:[cm]?m|s|kg|rad)[²³]?)?"
 _BEHIND = re.compile(
-    rf"(?<=[0-9])(?<!_[0-9])[ ~\u2009\u202f]?(?P<unit>{_UNIT})[(（](?P<words>[^()（）=\n]{{2,60}})[)）]"
+    rf"(?<=[0-9])(?<!_[0-9])[ ~\u2009\u202f]?(?P<unit>{_UNIT})[(（](?P<words>[^()（）=\n]{{1,60}})[)）]"
 )
 _OF_SIGNS = re.compile("[\u3041-\u9fff]")
 _WORD = re.compile(r"[^\W\d_]{2,}\.?")
@@ -24,6 +24,8 @@ def with_words_apart(text: str) -> Rewritten | None:
 
     >>> with_words_apart("F = 11.8 kN(上向き), r = 40 mm(radius)").text
     'F = 11.8 kN (上向き), r = 40 mm (radius)'
+    >>> with_words_apart("F = 12 kN（力）とする。").text
+    'F = 12 kN （力）とする。'
     >>> with_words_apart("x = 2 m(sin a), y = 3 N(r + l), z = 2 m(beta)") is None
     True
     """
