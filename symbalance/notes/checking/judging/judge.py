@@ -155,6 +155,7 @@ from symbalance.notes.checking.steps.open_cases import (
 )
 from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
+from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
 from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
@@ -226,6 +227,7 @@ from symbalance.text import lazy_patterns as re
 _Look = Callable[[JudgingState, Chain, int, Verdict], Verdict]
 _ONE_BY_ONE: tuple[_Look, ...] = (
     at_crank_angle_in_words,
+    with_rates_said_again,
     unless_plain_sum,
     unless_other_ratio,
     unless_false_zero,

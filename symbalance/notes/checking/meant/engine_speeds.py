@@ -23,6 +23,7 @@ _SPEED = re.compile(
 _RESTATED = re.compile(
     r"(?:[\s$,(:;⇒→~}\]]|[-−]1|<?/?sup>|\^|\{|\\(?:[,;: ]|quad|qquad|Rightarrow|to|implies)"
     r"|(?<![^\W\d_])(?:so|thus|hence|i\.?\s?e\.?|that|is|or|which|this|therefore|means?|giving|gives?|the|an?"
+    r"|and(?=\s+(?:the|its)\s+angular)|und(?=\s+die\s+(?:winkel|kreis))|et(?=\s+la\s+(?:pulsation|vitesse\s+ang))"
     r"|corresponding|corresponds|equivalent|to|of|angular|speed|velocity|crank|crankshaft"
     r"|also|d\.?\s?h\.?|das|sind|ist|somit|mithin|entspricht|entsprechend|oder|die|der|einer|einem|eine"
     r"|winkelgeschwindigkeit|kreisfrequenz|donc|soit|c'est-à-dire|une?|vitesse|angulaire|de|rotation|pulsation"
@@ -52,7 +53,10 @@ def speed_restated(words: str) -> int | None:
     """
     last = [*_SPEED.finditer(words)][-1:]
     between = words[last[0].end() :] if last else ""
-    if re.search(r"[^\W\d_]{2}|\(", between) is None or _RESTATED.fullmatch(between) is None:
+    if (
+        re.search(r"[^\W\d_]{2}|\(|i\.\s?e|d\.\s?h", between) is None
+        or _RESTATED.fullmatch(between) is None
+    ):
         return None
     return int(re.sub("[^0-9]", "", last[0]["speed"] or last[0]["behind"]))
 

@@ -240,6 +240,14 @@ _AT = re.compile(r"(?<![A-Za-zÀ-ÿ])(?:at|bei|à|con)[\s$\\(\[]*$", re.IGNORECA
 """A word before a value that may open a case, or go with what was said: the shafts turn at 2n."""
 
 
+_SAYS = re.compile(
+    r"(?<![^\W\d_])(?:it|is|are|was|we|get|gets|gives?|takes?|needs?|becomes?|has|have|ist|sind|beträgt|wird|ergibt|hat"
+    r"|haben|man|wir|est|sont|vaut|on|il|elle|è|sono|vale|ha|son|tiene)(?![^\W\d_])|(?<=[\u3041-\u9fff])は",
+    re.IGNORECASE,
+)
+"""Behind the words of a case, what is said in it: for four pistons it is 4m = 1.6 kg."""
+
+
 def _has_value_in_clause(state: JudgingState, chain: Chain, name: str) -> bool:
     """Tell whether a sentence gives a letter its value, and says of a multiple of it what is "at" that.
 
@@ -272,7 +280,8 @@ def as_case_of_multiple(state: JudgingState, chain: Chain, k: int) -> Decision |
         return None
     text = state.document.text
     before = clause_before(text, chain.start)
-    if not _OPENS.search(before) and not _BEHIND.match(text, chain.end):
+    opens = _OPENS.search(before)
+    if (opens is None or _SAYS.search(before, opens.start())) and not _BEHIND.match(text, chain.end):
         return None
     if state.sections.is_consequence(chain) or not chain.inline:
         return None

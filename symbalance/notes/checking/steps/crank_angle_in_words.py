@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple
 
-from symbalance.document.formula import Constant, Formula, Name, Number, Product, names
+from symbalance.document.formula import Call, Constant, Formula, Name, Number, Product, names, walk
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
@@ -55,7 +55,8 @@ def unless_otherwise_at_place(state: JudgingState, chain: Chain, k: int, verdict
     At bottom dead centre cos θ = 1, or "hence cos β = 0.866" behind β = 60°: it may be of another crank.
     """
     left, right = chain.sides[k], chain.sides[k + 1]
-    if verdict.verdict != CONDITION or isinstance(left.node, Name) or names(right.node):
+    has_wave = any(isinstance(part, Call) for part in walk(left.node))
+    if verdict.verdict != CONDITION or not has_wave or names(right.node):
         return verdict
     knowledge = without_moments(chain, state.sections, state.knowledge(chain.lines[0]))
     own = names(left.node)
