@@ -111,6 +111,7 @@ from symbalance.notes.checking.steps.ended_cases import (
 )
 from symbalance.notes.checking.steps.expanded_determinants import unless_another_polynomial
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
+from symbalance.notes.checking.steps.extremes_in_numbers import unless_no_such_value
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.forced_motions import unless_no_forced_motion
 from symbalance.notes.checking.steps.formula_one_slip_away import (
@@ -228,6 +229,7 @@ _Look = Callable[[JudgingState, Chain, int, Verdict], Verdict]
 _ONE_BY_ONE: tuple[_Look, ...] = (
     at_crank_angle_in_words,
     with_rates_said_again,
+    unless_no_such_value,
     unless_plain_sum,
     unless_other_ratio,
     unless_false_zero,

@@ -26,7 +26,7 @@ _CALLED = rf"[ ](?:is|ist|est|è|es)[ ]{_THE}[ ]?[^\W\d_][^.,;:!?$=()\n]{{2,40}}
 """Between a letter and its value, what it is: m is the mass of the piston, 2 kg."""
 _GIVES = (
     rf"(?:,?[ ~\n](?:{_VERB}|of|von|mit|de|di)[ ~\n]|[ ]?[はがを][ ]?"
-    r"|[ ]?[(（](?=[^()（）\n]{1,24}[)）])|(?P<comma>,[ ])(?=[0-9])|(?P<beside>[ ~])(?=\$?[0-9])"
+    r"|(?:[ ]\(|[ ]?（)(?=[^()（）\n]{1,24}[)）])|(?P<comma>,[ ])(?=[0-9])|(?P<beside>[ ~])(?=\$?[0-9])"
     rf"|;[ ]it[ ]is[ ]|{_CALLED})"
 )
 _NUMBER = (

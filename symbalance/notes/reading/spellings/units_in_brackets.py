@@ -1,0 +1,31 @@
+"""Units in round brackets behind a number, r = 40 (mm): the brackets are left out.
+
+Read as they stand they are a number without a unit and words behind it, or a product, m = 450·(g).
+"""
+
+from __future__ import annotations
+
+from symbalance.notes.reading.rewriting import Rewriter, Rewritten
+from symbalance.notes.reading.spellings.numerals import sign_of_unit
+from symbalance.text import lazy_patterns as re
+
+_NUMBER = r"[-−]?[0-9][0-9.,{}]{0,12}(?:[ ]?[·×][ ]?10(?:\^\{?[-−]?[0-9]{1,2}\}?|[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]{1,3}))?"
+_UNIT = r"(?P<unit>[A-Za-zµμΩ°%1][A-Za-zµμΩ·*/²³⁴⁻¹^0-9 .-]{0,14})"
+_STATED = re.compile(
+    rf"[=≈][ ~$]{{0,3}}{_NUMBER}(?:\$|\\\))?[ ~](?P<brackets>\((?:in[ ])?{_UNIT}\))(?![ ]?[-+−·⋅×*/^=(])"
+)
+
+
+def with_units_without_brackets(text: str) -> Rewritten | None:
+    """Return a text with units behind numbers out of their brackets, None where there are none.
+
+    >>> with_units_without_brackets("r = 40 (mm) and ω = 300 (rad/s), F = 5 (a)").text
+    'r = 40 mm and ω = 300 rad/s, F = 5 (a)'
+    """
+    found = [match for match in _STATED.finditer(text) if sign_of_unit(match["unit"])]
+    if not found:
+        return None
+    rewriter = Rewriter(text)
+    for match in found:
+        rewriter.replace(*match.span("brackets"), match["unit"])
+    return rewriter.finish()
