@@ -125,6 +125,7 @@ from symbalance.notes.checking.steps.gravity import (
 )
 from symbalance.notes.checking.steps.impossible_ranges import unless_impossible
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.large_by_words import unless_large_by_words
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
 from symbalance.notes.checking.steps.letters_said_anew import (
@@ -261,6 +262,7 @@ _LAST: tuple[_Look, ...] = (
     unless_of_arrays,
     unless_under_bars,
     unless_units_said_once,
+    unless_large_by_words,
 )
 """What does so once a relation has been read in its case and its row."""
 

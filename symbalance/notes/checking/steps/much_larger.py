@@ -82,7 +82,10 @@ def decide_where_larger(
         known = replace(knowledge, definitions={**others, small.name: definition})
         return replace(known, small=frozenset({_RATIO}), letters=knowledge.letters | {_RATIO})
 
-    if _part(sides, where(Number(Fraction(1, 10**LARGE)))):
+    are_apart = _part(sides, where(Number(Fraction(1, 10**LARGE))))
+    if are_apart is None:
+        return Decision(UNDECIDED, f"no point where {text} and both sides are real")
+    if are_apart:
         return Decision(REFUTED, f"not so where {text}")
     letter = Name(_RATIO)
     for power in (0, 1, 2):
@@ -104,8 +107,8 @@ def _letters(stated: Chain, behind: set[str], knowledge: Knowledge) -> tuple[Nam
     return (small, large) if is_open and {small.name, large.name} <= behind else None
 
 
-def _part(sides: Sequence[Side], knowledge: Knowledge) -> bool:
-    """Tell whether two sides differ by more than a thousandth at some points, whatever the sign."""
+def _part(sides: Sequence[Side], knowledge: Knowledge) -> bool | None:
+    """Tell whether two sides differ by more than a thousandth, whatever the sign; None without points."""
     left, right = (side.node for side in sides)
     level = list(knowledge.levels(left, right))[-1]
     own = {n for node in (left, right) for n in names_behind(node, level.values)}
@@ -113,7 +116,7 @@ def _part(sides: Sequence[Side], knowledge: Knowledge) -> bool:
     meaning = replace(knowledge.meaning, values=level.values, positive=frozenset(positive))
     points = sample_trees([left, right], meaning)
     pairs = [(abs(pair[0]), abs(pair[1])) for _, pair in points]
-    return bool(pairs) and all(abs(a - b) > APART * max(a, b) for a, b in pairs)
+    return all(abs(a - b) > APART * max(a, b) for a, b in pairs) if pairs else None
 
 
 _RATIO = "epsilon_ratio"

@@ -43,6 +43,28 @@ _BEHIND = re.compile(
     re.IGNORECASE,
 )
 """Behind a relation that the page calls wrong."""
+_NOT_ALWAYS = re.compile(
+    r"[\s$)}\]\\]{0,6}(?:,?\s?(?:which|but\s+(?:this|it)|was|das|dies|ce\s+qui|il\s+che)\s)?\s{0,2}"
+    r"(?:(?:(?:is|are|ist|est|è|es)\s+(?:not|nicht|pas|non|no)\s+(?:true|right|correct|valid|wahr|richtig|gültig|vrai|vera?|verdad)"
+    r"|(?:does\s?n[o']t|do\s+not)\s+hold|fails|gilt\s+nicht|versagt|n'est\s+pas\s+vrai)\s+"
+    r"(?:in\s+general|always|generally|for|at|when|if|beyond|above|below|immer|allgemein|im\s+allgemeinen|für|bei|wenn|en\s+général|pour)"
+    r"|,?\s*(?:only\s+(?:if|when|for|where)|nur\s+(?:wenn|für|falls)|seulement\s+si|solo\s+se|sólo\s+si)(?![^\W\d_]))"
+    r"|[\s$)}\]]{0,4}(?:は|が)(?:一般に|常に)(?:は)?(?:成り立たない|正しくない)",
+    re.IGNORECASE,
+)
+"""Behind a relation that is said not to hold of everything: sin 2x = 2 sin x is not true in general."""
+_NEVER_BEFORE = re.compile(
+    r"(?<![^\W\d_])(?:it\s+is\s+never\s+(?:so|true|the\s+case)\s+that|(?:it\s+)?never\s+happens\s+that|never\s+is|it\s+is\s+impossible\s+that"
+    r"|es\s+gilt\s+nie(?:mals)?|nie(?:mals)?\s+(?:ist|gilt)|jamais|on\s+n'a\s+jamais|non\s+è\s+mai|mai|nunca(?:\s+es)?)[\s$:\\({[]*$",
+    re.IGNORECASE,
+)
+_NEVER_BEHIND = re.compile(
+    r"[\s$)}\]\\]{0,6}(?:(?:is|are|ist|est|è|es)\s+(?:impossible|unmöglich|imposible|impossibile|never\s+(?:true|so|possible))"
+    r"|never\s+(?:happens|occurs)|(?:cannot|can\s+never)\s+(?:be|happen|occur)|tritt\s+nie\s+auf|(?:は|が)?(?:あり得ない|ありえない))"
+    r"(?![^\W\d_])(?!\s+(?:for|if|when|at|für|wenn|pour|si))",
+    re.IGNORECASE,
+)
+"""Around an inequality that is said to be true nowhere."""
 REACH = 90
 """Characters around a relation that are looked at."""
 
@@ -57,3 +79,25 @@ def is_said_wrong(text: str, start: int, end: int) -> bool:
     """
     before = text[max(0, start - REACH) : start]
     return _BEFORE.search(before) is not None or _BEHIND.match(text[end : end + REACH]) is not None
+
+
+def is_said_not_always(text: str, end: int) -> bool:
+    """Tell whether the words behind a relation say that it does not hold of everything.
+
+    >>> is_said_not_always("a = b is not true in general", 5), is_said_not_always("a = b is not true", 5)
+    (True, False)
+    """
+    return _NOT_ALWAYS.match(text, end, end + REACH) is not None
+
+
+def is_said_never(text: str, start: int, end: int) -> bool:
+    """Tell whether the words around a relation say that it is true nowhere.
+
+    >>> is_said_never("It is never so that y > 1.", 20, 25), is_said_never("y > 1 is impossible.", 0, 5)
+    (True, True)
+    """
+    before = text[max(0, start - REACH) : start]
+    return (
+        _NEVER_BEFORE.search(before) is not None
+        or _NEVER_BEHIND.match(text, end, end + REACH) is not None
+    )
