@@ -32,7 +32,7 @@ def test_an_approximation_holds_where_its_words_say(page):
         r"For large x, $\frac{1}{1+x} \approx 1 - x$.",
         r"For large x, $\sin x \approx x$.",
         r"For angles near 180°: $\sin\theta \approx \theta$.",
-        r"With $\lambda = 3$, $\sqrt{1-\lambda^2 s^2} \approx 1 - \frac{\lambda^2}{2} s^2$.",
+        r"With $\lambda = 3$: $\sqrt{1-\lambda^2\sin^2 a} \approx 1 - \frac12\lambda^2\sin^2 a$.",
         r"Für große $\eta$ ist $\frac{1}{\eta^2-1} \approx -1$.",
         r"For $r \gg l$: $\sqrt{l^2 - r^2\sin^2\theta} \approx l$.",
     ],
