@@ -12,6 +12,7 @@ from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.notes.checking.deciding.matrix_relations import is_of_matrices
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.motions.mean_values import decide_by_mean
+from symbalance.notes.checking.steps.data_below import with_data_below
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import UNDECIDED
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -99,10 +100,11 @@ def _is_false_for_any(
 def with_clauses_below(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:
     """Return what is known with the new letters that the lines right below a relation explain.
 
-    An equation in matrices stands first as a rule, what its letters are after it: "here M̃ = ΦᵗMΦ".
+    An equation in matrices stands first as a rule, what its letters are after it: "here M̃ = ΦᵗMΦ". So
+    may a number stand before what it is computed from.
     """
     if not is_of_matrices(chain.sides[k].node, chain.sides[k + 1].node, knowledge):
-        return knowledge
+        return with_data_below(state, chain, k, knowledge)
     last = chain.lines[-1]
     own = chain.letters
     clauses = dict(knowledge.definitions)
