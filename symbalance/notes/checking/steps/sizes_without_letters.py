@@ -42,6 +42,7 @@ LETTERS = {
     "cylinder pitch": ("a", "b", "z"),
     "piston mass": ("m", "m_p", "m_K"),
     "reciprocating mass": ("m", "m_o", "m_osc", "m_rec", "m_a"),
+    "mass": ("m", "M"),
 }
 """The letters that stand for a size on most pages."""
 _TURNS = ("n", "N")

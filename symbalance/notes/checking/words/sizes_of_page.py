@@ -28,7 +28,8 @@ _NOUNS = {
     "bore": r"(?<!-)(?<!the )bores?|(?:zylinder)?bohrung(?:sdurchmesser)?|cylinder diameter"
     r"|ボア|シリンダ(?:ー)?(?:内)?径",
     "stroke": r"(?:piston )?strokes?(?! (?:engine|cycle))|(?:kolben)?hub|ストローク|行程",
-    "crank radius": r"crank (?:radius|throw)|throw|kurbelradius|クランク半径",
+    "crank radius": r"crank (?:radius|throw)|crank of radius|radius of the crank|throw|kurbelradius"
+    r"|クランク半径",
     "rod length": r"(?:connecting[- ]rod|con-?rod|rod) length|pleuellänge|コンロッド長さ?|連桿長さ?",
     "cylinder pitch": r"(?:cylinder|bore) (?:pitch|spacing)|pitch of the cylinders"
     r"|distance (?:between|of) (?:neighbou?ring |adjacent |the )?(?:cylinders?|bores?)"
@@ -37,6 +38,7 @@ _NOUNS = {
     "piston mass": r"pistons?|piston mass(?:es)?|kolben(?:masse)?|ピストン(?:の?質量)?",
     "reciprocating mass": r"(?:reciprocating|oscillating) mass(?: per cylinder)?"
     r"|oszillierende[nr]? masse|往復(?:部)?質量",
+    "mass": r"mass(?:es?)?|masa|質量",
 }
 _LETTER_BOUND = r"(?<![^\W\d_\u3040-\u9fff])(?:{})(?![^\W\d_\u3040-\u9fff])"
 _BEHIND = {  # the number behind its noun, and the noun behind its number
