@@ -14,9 +14,9 @@ DISPLAYS = (
     "$$F = m r \\omega^2 = %s\\,\\mathrm{N}$$\nここで DATA である。",
 )
 WORDS = (
-    "A piston of mass 0.5 kg on a crank of radius 40 mm at 3000 rpm has a force $F = mr\\omega^2 = %s$ N.",
+    "A piston of mass 0.5 kg on a crank of radius 40 mm at 3000 rpm has $F = mr\\omega^2 = %s$ N.",
     "The mass is 0.5 kg, the crank radius 40 mm. At 3000 rpm the force is $F = m r\\omega^2 = %s$ N.",
-    "Bei einer Masse von 0,5 kg, einem Kurbelradius von 40 mm und 3000 U/min ist $F = mr\\omega^2 = %s$ N.",
+    "Bei einer Masse von 0,5 kg, einem Kurbelradius von 40 mm und 3000 U/min: $F = mr\\omega^2 = %s$ N.",
     "質量を 0.5 kg、クランク半径を 40 mm、回転数を 3000 rpm とすると、$F = mr\\omega^2 = %s$ N である。",
 )
 
