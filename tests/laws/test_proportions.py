@@ -63,3 +63,9 @@ def test_a_proportion_alone_is_a_premise_and_no_formula():
 
 def test_a_number_is_nothing_to_be_proportional_to():
     assert last(r"$x \propto 5$")[0] == "undecided"
+
+
+@pytest.mark.parametrize("claim", [r"C \propto 1/\omega_m", r"C \propto \omega_m^{-1}"])
+def test_what_another_line_ties_otherwise_is_open(claim):
+    page = r"$C = \frac{\omega_1-\omega_2}{\omega_m}$. The flywheel has $J = \frac{E}{C\omega_m^2}$. So $CLAIM$."
+    assert last(page.replace("CLAIM", claim))[0] == "undecided"

@@ -138,7 +138,7 @@ def judge_relation(
     relation = chain.relations[k]
     left, right = chain.sides[k], chain.sides[k + 1]
     if relation.sign == PROPORTIONAL:
-        return decide_proportional(chain, k, knowledge)
+        return decide_proportional(state, chain, k, knowledge)
     of_matrices = is_of_matrices(left.node, right.node, knowledge)
     unjudged = decide_products_of_vectors(chain, k, state.document, knowledge)
     if (

@@ -9,29 +9,86 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
-from symbalance.document.formula import Formula, Name, Number, Power, Product, names
+from symbalance.document.formula import Formula, Name, Number, Power, Product, Quotient, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import PREMISE
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain
 
 SIGN = "∝"
 STATED = "said to be proportional, which no formula above shows"
-_TIMES = "times_of_it"
-"""The letter by which another one is multiplied."""
+_TIMES, _MARK = "times_of_it", "what_it_grows_to"
+"""The letter by which another one is multiplied, and one that stands for a head until both are put in."""
 _MOST_STEPS = 12
 """Letters put in one after the other: a formula that needs more is that of a circle."""
 _POWERS = tuple(Fraction(n, 2) for n in (0, 2, -2, 4, -4, 6, -6, 8, -8, 1, -1, 3, -3))
 
 
-def decide_proportional(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
-    """Return the decision on a relation ∝: proved, refuted with the right power, or a premise."""
+def decide_proportional(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision:
+    """Return the decision on a relation ∝: proved, refuted with the right power, or a premise.
+
+    One that a formula of the page shows is open where another line ties the same letters otherwise:
+    C = (ω_1 - ω_2)/ω_m beside J = E/(C ω_m²), where the difference is not the same for every ω_m.
+    """
+    decision = _decide(chain, k, knowledge)
+    head, right = chain.sides[k].node, chain.sides[k + 1].node
+    if not decision.is_proved or not isinstance(head, Name):
+        return decision
+    bare = _of_any_size(chain.letters | {head.name}, knowledge)
+    for name in sorted(names(right) - knowledge.angles):
+        line = _tied_otherwise(state, chain, (head, right), name, bare)
+        if line is not None:
+            reason = f"line {line} has {plain_text(head)} grow otherwise with {plain_letter(name)}"
+            return Decision(UNDECIDED, reason)
+    return decision
+
+
+def _tied_otherwise(
+    state: JudgingState, chain: Chain, claim: tuple[Name, Formula], name: str, bare: Knowledge
+) -> int | None:
+    """Return a line above whose two sides grow apart as a letter and what is claimed of it grow."""
+    head, right = claim
+    scaled = Product((Name(_TIMES), Name(name)))
+    grown = Product((head, Quotient(substitute(right, name, scaled), right)))
+    for above in state.document.chains:
+        is_proportion = any(relation.sign == SIGN for relation in above.relations)
+        if above.start >= chain.start or is_proportion or not {head.name, name} <= above.letters:
+            continue
+        for first, second in pairwise(side.node for side in above.sides):
+            if not {head.name, name} <= names(first) | names(second):
+                continue
+            known = replace(bare, letters=bare.letters | names(first) | names(second))
+            before, after = (
+                Product((a, b)) for a, b in _crosswise(first, second, head.name, grown, name)
+            )
+            if decide(lone_side(before), lone_side(after), "=", known).status == REFUTED:
+                return above.lines[0]
+    return None
+
+
+def _crosswise(
+    first: Formula, second: Formula, head: str, grown: Formula, name: str
+) -> tuple[tuple[Formula, Formula], tuple[Formula, Formula]]:
+    """Return the products of each side as it is with the other one as it grows."""
+    scaled = Product((Name(_TIMES), Name(name)))
+    marked = Name(_MARK)
+
+    def larger(node: Formula) -> Formula:
+        """Put the letter's multiple in, and only then what the head comes to."""
+        return substitute(substitute(substitute(node, head, marked), name, scaled), _MARK, grown)
+
+    return (larger(first), second), (first, larger(second))
+
+
+def _decide(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if not names(right):
         return Decision(UNDECIDED, "proportional to a number: say to which letter")
