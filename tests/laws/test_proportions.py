@@ -67,5 +67,5 @@ def test_a_number_is_nothing_to_be_proportional_to():
 
 @pytest.mark.parametrize("claim", [r"C \propto 1/\omega_m", r"C \propto \omega_m^{-1}"])
 def test_what_another_line_ties_otherwise_is_open(claim):
-    page = r"$C = \frac{\omega_1-\omega_2}{\omega_m}$. The flywheel has $J = \frac{E}{C\omega_m^2}$. So $CLAIM$."
+    page = r"$C = \frac{\omega_1-\omega_2}{\omega_m}$. It has $J = \frac{E}{C\omega_m^2}$. So $CLAIM$."
     assert last(page.replace("CLAIM", claim))[0] == "undecided"
