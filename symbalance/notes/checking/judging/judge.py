@@ -142,6 +142,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.numbers_by_formulas import unless_a_formula_gives_it
+from symbalance.notes.checking.steps.numbers_said_again import unless_said_again
 from symbalance.notes.checking.steps.only_solutions import unless_not_the_only
 from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.open_cases import (
@@ -495,6 +496,7 @@ class Judge:
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
+        verdict = unless_said_again(self.state, chain, k, verdict, again)
         if not self.rivals.are_beside(chain):
             verdict = unless_closed(self.state, chain, k, verdict)
         for look in _LAST:
