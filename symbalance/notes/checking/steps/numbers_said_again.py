@@ -106,10 +106,14 @@ def _without_number(
     head, definitions = chain.sides[0].node, state.definitions
     values, premises, conditions = definitions.values, definitions.premises, definitions.open_conditions
     printed = state.results.numbers
-    definitions.values = {name: [*_without(entries, value, name, head)] for name, entries in values.items()}
+    definitions.values = {
+        name: [*_without(entries, value, name, head)] for name, entries in values.items()
+    }
     definitions.values = {name: entries for name, entries in definitions.values.items() if entries}
     behind = _behind(state, chain)
-    definitions.premises = [p for p in premises if not _is_number(p.right, value) or not p.names <= behind]
+    definitions.premises = [
+        p for p in premises if not _is_number(p.right, value) or not p.names <= behind
+    ]
     definitions.open_conditions = {**conditions}
     own = names(head)
     state.results.numbers = {name: each for name, each in printed.items() if name not in own}
@@ -158,9 +162,7 @@ def _moved(state: JudgingState, before: Chain, chain: Chain) -> str:
     return ""
 
 
-def _number_given_anew(
-    state: JudgingState, before: Chain, chain: Chain
-) -> tuple[Chain, Chain] | None:
+def _number_given_anew(state: JudgingState, before: Chain, chain: Chain) -> tuple[Chain, Chain] | None:
     """Return what gave a letter its number before a relation, and before that of another place."""
     head, sections = chain.sides[0].node, state.sections
     knowledge = state.knowledge(chain.lines[0])

@@ -11,9 +11,7 @@ from dataclasses import dataclass
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-_WORD = (
-    r"(?:and|or|as\s+well\s+as|nor|neither|und|oder|sowie|bzw\.|noch|wie\s+auch|et|ou|ainsi\s+que|soit|ni|e|o|oppure|né|sia|y|u)"
-)
+_WORD = r"(?:and|or|as\s+well\s+as|nor|neither|und|oder|sowie|bzw\.|noch|wie\s+auch|et|ou|ainsi\s+que|soit|ni|e|o|oppure|né|sia|y|u)"
 _PLACE = r"(?:also|even|auch|either|for|at|with|if|when|für|bei|mit|wenn|pour|à|avec|si|per|con|se|para)"
 _JOIN = re.compile(
     rf"[\s$)}}\]]*(?:(?P<comma>[,;])?[\s$]*(?P<word>(?<![^\W\d_]){_WORD}(?![^\W\d_])\s*"
@@ -29,9 +27,7 @@ _THEN = re.compile(
     re.IGNORECASE,
 )
 """Words that lead on from alternatives in a sentence of their own."""
-_NEITHER = re.compile(
-    r"(?<![^\W\d_])(?:neither|weder|ni|né)\s+(?:\w+\s+){0,2}[\s$({\[]*$", re.IGNORECASE
-)
+_NEITHER = re.compile(r"(?<![^\W\d_])(?:neither|weder|ni|né)\s+(?:\w+\s+){0,2}[\s$({\[]*$", re.IGNORECASE)
 _CASE = (
     r"(?<![^\W\d_])(?:(?:in|for|of|im|in\s+dem|für|bei|beim|dans|pour|à|nel|per|en|para|,|;|and|und|et|e|y)\s+)?"
     r"(?:(?:the|der|den|dem|die|das|im|le|la|il|el|l['’])\s*)"

@@ -116,9 +116,7 @@ def numbers_spoken_of(
     return Spoken(() if named is None else every if named == _ALL else (named,))
 
 
-def number_by_place(
-    sections: Sections, text: str, chain: Chain, givers: Sequence[Chain]
-) -> int | None:
+def number_by_place(sections: Sections, text: str, chain: Chain, givers: Sequence[Chain]) -> int | None:
     """Return which of several numbers a relation goes with by its column, or by its turn in a row."""
     by_place = by_own_column(text, chain, givers)
     if by_place is not None:
