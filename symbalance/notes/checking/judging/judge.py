@@ -118,6 +118,7 @@ from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
 )
+from symbalance.notes.checking.steps.formulas_below_rows import unless_at_odds_with_rows
 from symbalance.notes.checking.steps.gravity import (
     GRAVITY_UNIT,
     has_unit_of_gravity,
@@ -163,6 +164,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 )
 from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
+from symbalance.notes.checking.steps.results_in_turn import unless_wrong_in_turn
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.rival_cases import RivalCases
 from symbalance.notes.checking.steps.roots_by_kind import unless_of_another_kind
@@ -179,8 +181,10 @@ from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_plac
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
+from symbalance.notes.checking.steps.systems_of_formulas import unless_of_a_system
 from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
+from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -258,6 +262,10 @@ _LAST: tuple[_Look, ...] = (
     unless_not_the_only,
     unless_of_another_kind,
     unless_sign_denied,
+    unless_of_a_system,
+    unless_value_fails,
+    unless_wrong_in_turn,
+    unless_at_odds_with_rows,
     unless_of_arrays,
     unless_under_bars,
 )
@@ -714,7 +722,7 @@ class Judge:
     def _ranges_of_all_values(self, chain: Chain) -> frozenset[str]:
         """Return the letter of a range before a relation that is claimed of all of it: for all y > 0."""
         text, last = self.document.text, self.state.sections.chain_before(chain.start)
-        if (own := self._range_of_all_behind(chain)):
+        if own := self._range_of_all_behind(chain):
             return own
         if last is None or len(last.letters) != 1 or not last.letters <= chain.letters:
             return frozenset()
@@ -724,7 +732,7 @@ class Judge:
         return last.letters if is_of_all and leads_to_claim(text[last.end : chain.start]) else frozenset()
 
     def _range_of_all_behind(self, chain: Chain) -> frozenset[str]:
-        """Return the letter of a range right behind a relation that is claimed of all of it: for all x ≠ 0."""
+        """Return the letter of a range right behind what is claimed of all of it: for all x ≠ 0."""
         text, near = self.document.text, self.state.sections.chains_behind(chain.end - 1)
         behind = next(near, None)
         if behind is None or behind.start - chain.end > LONGEST_PLACE or len(behind.letters) != 1:

@@ -1,4 +1,4 @@
-"""A number that a page has once more, at another place: at n = 3000 rpm ω = 314, and at n = 6000 rpm ω = 314.
+"""A number that a page has once more, at another place: at n = 3000 ω = 314, and at n = 6000 ω = 314.
 
 The letter had that number before, and would have it still. But other letters have other numbers since,
 or words name another place, "at 60°" and "at 120°": a repetition proves nothing there. The number is
@@ -25,19 +25,22 @@ from symbalance.notes.checking.verdicts import (
     Verdict,
 )
 from symbalance.notes.checking.words.lists_of_data import sets_number
-from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.table_cells import cells_of
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-_UNIT = r"(?:°|\^\s?\{?\s?\\circ|度|Grad(?![^\W\d_])|degrees?|rpm|[U1r]\s?/\s?min|min⁻¹|rad|mm|cm|km|m|ms|min|s|h|kg|g|kN|N|bar|Hz|kW|W|%)"
+_UNIT = (
+    r"(?:°|\^\s?\{?\s?\\circ|度|Grad(?![^\W\d_])|degrees?|rpm|[U1r]\s?/\s?min|min⁻¹|rad|mm|cm|km"
+    r"|m|ms|min|s|h|kg|g|kN|N|bar|Hz|kW|W|%)"
+)
 _AT = (
     r"(?<![^\W\d_])(?:at|for|after|before|in|with|bei|für|nach|vor|mit|à|après|pour|avec|dopo|per|con|después\s+de|para|tras)\s+"
     r"(?:an?\s+\w+\s+of\s+|einer?\s+\w+\s+von\s+)?"
 )
 _PLACE = re.compile(
     rf"(?:{_AT}[$\\(]{{0,3}}|(?=[0-9][0-9.,]*\s?{_UNIT}[^。]{{0,3}}(?:では|で|のとき|の場合)))"
-    rf"(?P<size>[0-9]+(?:[.,][0-9]+)?)[\s~$}}]*(?:\\[,;: ]|\\(?:mathrm|text|unit)\s*\{{)?(?P<unit>{_UNIT})(?![\w/])",
+    r"(?P<size>[0-9]+(?:[.,][0-9]+)?)[\s~$}]*(?:\\[,;: ]|\\(?:mathrm|text|unit)\s*\{)?"
+    rf"(?P<unit>{_UNIT})(?![\w/])",
     re.IGNORECASE,
 )
 """A place that words name by a number: at 60°, after 2 s."""
@@ -58,7 +61,7 @@ REACH = 80
 def unless_said_again(
     state: JudgingState, chain: Chain, k: int, verdict: Verdict, judge_again: Callable[[], Verdict]
 ) -> Verdict:
-    """Return a verdict; what only repeats a number that was given at another place is not proved by it."""
+    """Return a verdict; what only repeats a number given at another place is not proved by it."""
     head, value = chain.sides[0].node, chain.sides[k + 1].node
     is_number = not names(value) and bool(names(head)) and chain.relations[k].sign in ("=", "≈")
     if verdict.verdict not in PROVED_WORDS or not is_number or (chain.start, k) in state.told_by_words:

@@ -29,9 +29,15 @@ from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 _REAL = r"(?:(?:real|possible|reelle|mögliche|réelle|reale|posible)\s+)?"
-_THING = r"(?:solution|root|zero|value|angle|lösung|nullstelle|wurzel|winkel|wert|racine|valeur|soluzione|radice|valore|solución|raíz|valor)"
+_THING = (
+    r"(?:solution|root|zero|value|angle|lösung|nullstelle|wurzel|winkel|wert|racine|valeur"
+    r"|soluzione|radice|valore|solución|raíz|valor)"
+)
 _SOLUTION = rf"{_REAL}{_THING}(?![^\W\d_])"
-_ONLY = r"(?:only|sole|unique|single|einzige[nrs]?|eindeutige[nrs]?|seule?|unique|unica|unico|sola|solo|única|único)"
+_ONLY = (
+    r"(?:only|sole|unique|single|einzige[nrs]?|eindeutige[nrs]?|seule?|unique|unica|unico|sola"
+    r"|solo|única|único)"
+)
 _BEHIND = re.compile(
     rf"[\s$)\]]*(?:(?:is|are|ist|est|è|es)\s+|,\s*)(?:the|an?|die|der|das|eine?|la|le|l['’]|el|il)\s*{_ONLY}\s+{_SOLUTION}"
     r"|[\s$)\]]*(?:,\s*)?(?:only|and\s+(?:no\s+other|nothing\s+else)|alone|und\s+(?:kein\w*\s+ander|sonst)\w*|allein|seulement|uniquement"

@@ -25,12 +25,21 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-_THING = r"(?:root|solution|zero|value|one|angle|sign|lösung|wurzel|nullstelle|winkel|wert|racine|valeur|angle|radice|soluzione|valore|angolo|raíz|solución|valor|ángulo)s?"
+_THING = (
+    r"(?:root|solution|zero|value|one|angle|sign|lösung|wurzel|nullstelle|winkel|wert|racine"
+    r"|valeur|angle|radice|soluzione|valore|angolo|raíz|solución|valor|ángulo)s?"
+)
 _KINDS = {
     "positive": r"positive[nrs]?|positif|positiv[oa]|正の",
     "negative": r"negative[nrs]?|négati(?:f|ve)|negativ[oa]|負の",
-    "smaller": r"smaller|smallest|lesser|kleinere?[nrs]?|kleinste[nrs]?|(?:plus\s+)?petite?|minore|menor|小さい(?:方|ほう)?の?",
-    "larger": r"larger|largest|greater|bigger|größere?[nrs]?|größte[nrs]?|(?:plus\s+)?grande?|maggiore|mayor|大きい(?:方|ほう)?の?",
+    "smaller": (
+        r"smaller|smallest|lesser|kleinere?[nrs]?|kleinste[nrs]?|(?:plus\s+)?petite?|minore|menor"
+        r"|小さい(?:方|ほう)?の?"
+    ),
+    "larger": (
+        r"larger|largest|greater|bigger|größere?[nrs]?|größte[nrs]?|(?:plus\s+)?grande?|maggiore|mayor"
+        r"|大きい(?:方|ほう)?の?"
+    ),
     "acute": r"acute|spitze[nrs]?|aigu[eë]?|acut[oa]|agud[oa]|鋭角の?",
     "obtuse": r"obtuse|stumpfe[nrs]?|obtuse?|ottus[oa]|obtus[oa]|鈍角の?",
 }
@@ -67,11 +76,16 @@ _RESPECTIVELY = re.compile(
     re.IGNORECASE,
 )
 _PAIR = re.compile(
-    rf"(?:{_WORDS.replace('(?P<', '(?P<a_')})\s+(?:{_THING}\s+)?(?:and|und|et|e|y)\s+(?:an?\s+|the\s+|eine?\s+|une?\s+|una?\s+)?"
+    rf"(?:{_WORDS.replace('(?P<', '(?P<a_')})\s+(?:{_THING}\s+)?"
+    r"(?:and|und|et|e|y)\s+(?:an?\s+|the\s+|eine?\s+|une?\s+|una?\s+)?"
     rf"(?:{_WORDS.replace('(?P<', '(?P<b_')})",
     re.IGNORECASE,
 )
-_LETTER_IS = r"(?<![A-Za-z\\])\$?\\?(?:{names})\$?\s+(?:is|being|must\s+be|ist|est|è|es)\s+(?:(?:positive?|positi[fv]\w*)(?P<positive>)|(?:negative?|négati[fv]\w*|negativ\w*)(?P<negative>))(?![^\W\d_])"
+_LETTER_IS = (
+    r"(?<![A-Za-z\\])\$?\\?(?:{names})\$?\s+(?:is|being|must\s+be|ist|est|è|es)\s+"
+    r"(?:(?:positive?|positi[fv]\w*)(?P<positive>)|(?:negative?|négati[fv]\w*|negativ\w*)(?P<negative>))"
+    r"(?![^\W\d_])"
+)
 _SINE, _COSINE, _TANGENT = (1, 1, -1, -1), (1, -1, -1, 1), (1, -1, 1, -1)
 _SIGNS = {"sin": _SINE, "cos": _COSINE, "tan": _TANGENT}
 """The signs of functions in the four quadrants."""
@@ -102,12 +116,10 @@ def unless_of_another_kind(state: JudgingState, chain: Chain, k: int, verdict: V
 def _why_not(state: JudgingState, chain: Chain, head: Name) -> str:
     """Return why a number is not the root that words name, "" where nothing speaks against it."""
     equation = _equation(state, chain, head)
-    knowledge = state.knowledge(chain.lines[0])
-    number = number_of(chain.sides[1].node, knowledge)
+    number = number_of(chain.sides[1].node, state.knowledge(chain.lines[0]))
     if equation is None or number is None:
         return ""
-    value, sentence = float(number), _sentence(state, chain)
-    kind = _kind_named(state, chain, head, equation)
+    value, kind = float(number), _kind_named(state, chain, head, equation)
     wrong = {
         "positive": value < 0,
         "negative": value > 0,
@@ -124,8 +136,11 @@ def _why_not(state: JudgingState, chain: Chain, head: Name) -> str:
             v for v in others if (v < value - _EPSILON if kind == "smaller" else v > value + _EPSILON)
         ]
         return f"it is not the {kind} one: {worse[0]:.6g} is a root too" if worse else ""
-    if not is_angle:
-        return ""
+    return _by_own_quarter(_sentence(state, chain), value) if is_angle else ""
+
+
+def _by_own_quarter(sentence: str, value: float) -> str:
+    """Return that an angle does not lie in the quarter of a turn that its sentence names, or ""."""
     quarter = quarter_named(sentence[-_REACH:])
     if quarter is None or _NOT.search(sentence):
         return ""
@@ -187,7 +202,7 @@ def _kind_of(match: re.Match[str], prefix: str) -> str:
 
 
 def _by_pair(state: JudgingState, chain: Chain, equation: Chain) -> str:
-    """Return the kind that a root has by its turn: a positive and a negative one, x = 2 and x = -4, resp."""
+    """Return the kind of a root by its turn: a positive and a negative one, x = 2 and x = -4, resp."""
     text = state.document.text
     behind = re.split(r"(?<!resp)(?<!bzw)[.;!?](?=\s|$)|。", text[chain.end : chain.end + _REACH])[0]
     words = text[equation.end : chain.start]
@@ -215,7 +230,7 @@ def _other_roots(state: JudgingState, chain: Chain, equation: Chain, head: Name)
 
 
 def _roots_of_quadratic(state: JudgingState, equation: Chain) -> Iterator[float]:
-    """Yield the real roots of an equation of one letter that is a quadratic one, by three of its values."""
+    """Yield the real roots of a quadratic equation of one letter, by its values."""
     (name,) = equation.letters
     values: list[float] = []
     for n in range(_POINTS):

@@ -1,4 +1,4 @@
-"""Results that hold if x ≥ 0, of a letter that the page's words call negative, or of which all values count.
+"""Results that hold if x ≥ 0, of a letter that words call negative, or of which all values count.
 
 Of x² = 4 and y² = 9 the sum is 5 where neither is negative: "x and y are negative" says otherwise.
 """

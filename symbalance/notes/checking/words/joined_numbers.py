@@ -11,7 +11,10 @@ from dataclasses import dataclass
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-_WORD = r"(?:and|or|as\s+well\s+as|nor|neither|und|oder|sowie|bzw\.|noch|wie\s+auch|et|ou|ainsi\s+que|soit|ni|e|o|oppure|né|sia|y|u)"
+_WORD = (
+    r"(?:and|or|as\s+well\s+as|nor|neither|und|oder|sowie|bzw\.|noch|wie\s+auch|et|ou"
+    r"|ainsi\s+que|soit|ni|e|o|oppure|né|sia|y|u)"
+)
 _PLACE = r"(?:also|even|auch|either|for|at|with|if|when|für|bei|mit|wenn|pour|à|avec|si|per|con|se|para)"
 _JOIN = re.compile(
     rf"[\s$)}}\]]*(?:(?P<comma>[,;])?[\s$]*(?P<word>(?<![^\W\d_]){_WORD}(?![^\W\d_])\s*"
@@ -33,7 +36,10 @@ _CASE = (
     r"(?:(?:the|der|den|dem|die|das|im|le|la|il|el|l['’])\s*)"
 )
 _FIRST = r"(?:first|former|erste[nrsm]?|premi(?:er|[eè]re)|primo|prima|primera?)"
-_SECOND = r"(?:second|latter|other|zweite[nrsm]?|andere[nrsm]?|deuxième|seconde?|autre|secondo|seconda|altro|segund[oa]|otr[oa])"
+_SECOND = (
+    r"(?:second|latter|other|zweite[nrsm]?|andere[nrsm]?|deuxième|seconde?|autre|secondo|seconda"
+    r"|altro|segund[oa]|otr[oa])"
+)
 _ORDINAL = re.compile(
     rf"{_CASE}(?:(?P<first>{_FIRST})|(?P<second>{_SECOND}))"
     r"(?=\s+(?:case|one|fall|cas|caso|is|it|we|gives?|has|ist|gilt|hat|gibt|on|est|è|es|si|se)(?![^\W\d_])|[\s,:$]*$)"
@@ -55,7 +61,7 @@ class Joined:
 
 
 def joined_numbers(text: str, givers: Sequence[Chain]) -> Joined | None:
-    """Return which of the numbers of a letter stand in one breath, up to the last; None for fewer than two."""
+    """Return which numbers of a letter stand in one breath, up to the last; None for fewer than two."""
     first, has_word = len(givers) - 1, False
     while first:
         match = _JOIN.fullmatch(text, givers[first - 1].end, givers[first].start)
