@@ -188,7 +188,7 @@ def _of_degrees_behind(chain: Chain, document: ReadNotes) -> Iterator[tuple[str,
     if match["beyond"]:
         yield from ((angle, ">", _angle(degrees)), (angle, "<", _angle(degrees + _RIGHT)))
     else:
-        near = Fraction(1, 10)
+        near = 2  # a function of it keeps its sign that near, and the interval has points
         yield from ((angle, ">", _angle(degrees - near)), (angle, "<", _angle(degrees + near)))
 
 

@@ -182,7 +182,7 @@ def _number_given_anew(state: JudgingState, before: Chain, chain: Chain) -> tupl
         between = sections.chains_between(max(before.end, first), chain.start)
         new = [c for c in between if sets_number(c) and c.sides[0].node != head]
         own = {c.sides[0].node: c for c in new}
-        above = ((_last_number(state, node, before), c) for node, c in own.items())
+        above = ((_last_number(state, node, before, c), c) for node, c in own.items())
         givers = ((old, c) for old, c in above if old is not None)
     for earlier, now in givers:
         is_other = earlier.sides[1].node != now.sides[1].node
@@ -193,11 +193,12 @@ def _number_given_anew(state: JudgingState, before: Chain, chain: Chain) -> tupl
     return None
 
 
-def _last_number(state: JudgingState, letter: Formula, before: Chain) -> Chain | None:
-    """Return what gives a letter its number at a relation: before it, or right behind it on its line."""
-    above = [c for c in state.sections.chains_above(letter, before.start) if sets_number(c)]
-    is_near = above and state.sections.same_section(above[-1].lines[0], before.lines[0])
-    return above[-1] if is_near else None
+def _last_number(state: JudgingState, letter: Formula, before: Chain, now: Chain) -> Chain | None:
+    """Return what gives a letter its number at a relation: before it, or behind it in its list."""
+    above = [c for c in state.sections.chains_above(letter, now.start) if sets_number(c)]
+    above = [c for c in above if state.sections.same_section(c.lines[0], before.lines[0])]
+    earlier = [c for c in above if c.start < before.start]
+    return earlier[-1] if earlier else above[0] if above else None
 
 
 def _is_number_of_case(state: JudgingState, earlier: Chain, before: Chain) -> bool:

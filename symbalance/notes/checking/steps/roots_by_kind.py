@@ -286,19 +286,21 @@ def _by_quarter(state: JudgingState, chain: Chain, head: Call) -> Decision | Non
         known = number_of(other.sides[-1].node, knowledge) if is_alike else None
         if not isinstance(wave, Call) or known is None or wave.function == head.function:
             continue
-        exact = _other_wave(wave.function, float(known), head.function, signs)
-        if exact is None:
+        ends = [
+            _other_wave(wave.function, float(known) + side, head.function, signs)
+            for half in [_last_place(other.sides[-1].node) / 2]
+            for side in (0, -half, half)
+        ]
+        if None in ends:
             continue
-        place_value = _last_place(chain.sides[1].node)
-        if abs(exact - value) <= max(place_value / 2, _EPSILON):
+        exact, *rounded = (float(end) for end in ends if end is not None)
+        half = max(_last_place(chain.sides[1].node) / 2, _EPSILON)
+        if abs(exact - value) <= half:
             return Decision(PROVED, f"by line {other.lines[0]}", assumptions=(place,))
-        if abs(exact - value) > max(_SLACK * place_value, _SLACK * _EPSILON):
+        if not min(rounded) - half <= value <= max(rounded) + half:
             shown = f"{head.function} is {exact:.6g} by line {line}"
             return Decision(REFUTED, f"{shown}, where {place}")
     return None
-
-
-_SLACK = 2
 
 
 def _other_wave(given: str, value: float, wanted: str, signs: list[int]) -> float | None:

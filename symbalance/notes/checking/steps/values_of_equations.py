@@ -40,7 +40,8 @@ _LEADS = re.compile(
     r"|has|have|hat|a|ha|tiene|with|the|two|three|four|real|complex|imaginary|purely|die|zwei|drei|vier|komplexen?|reellen?|rein|imaginären?|les|deux|trois|complexes?"
     r"|imaginaires?|le|due|tre|complesse|las|dos|tres|complejas|solutions?|roots?|zeros?|values?|lösung(?:en)?|nullstellen?|wurzeln?|racines?|soluzion[ei]|radic[ei]"
     r"|soluci(?:ón|ones)|raíz|raíces|are|is|sind|ist|sont|est|sono|è|son|es|so|hence|gives?|thus|that|also|daher|folgt|donc|quindi|luego|we|get|by|of|conjugate)"
-    r"(?![^\W\d_])|の解は|の複素数解は)*"
+    r"(?![^\W\d_])|の解は|の複素数解は)*",
+    re.IGNORECASE,
 )
 """Between an equation and the first value for which it is said to hold, or its first root."""
 _COMPLEX = re.compile(
