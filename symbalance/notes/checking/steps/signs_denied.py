@@ -24,6 +24,9 @@ _OTHER_CASE = re.compile(
     re.IGNORECASE,
 )
 
+_POSITIVE = re.compile(r"(?<![^\W\d_])(?:posit|absolut|betrag|size|größe)|正", re.IGNORECASE)
+"""Words of a relation's own sentence that speak of other values."""
+
 
 def unless_sign_denied(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; what holds if a letter is not negative is open where words deny that."""
@@ -51,4 +54,5 @@ def _is_called_negative(state: JudgingState, chain: Chain, name: str) -> bool:
     if match is None:
         return False
     sentence = re.split(r"[.;!?]\s|[。；]", text[first : match.end()])[-1]
-    return _OTHER_CASE.search(sentence) is None
+    own = sections.sentence_before(chain)
+    return _OTHER_CASE.search(sentence) is None and _POSITIVE.search(own) is None
