@@ -107,6 +107,7 @@ from symbalance.notes.checking.steps.divided_by_zero import unless_divided_by_ze
 from symbalance.notes.checking.steps.ended_cases import (
     leave_ended_cases,
     letters_of_ended,
+    turn_to_opposite_range,
     unless_of_ended_case,
 )
 from symbalance.notes.checking.steps.expanded_determinants import unless_another_polynomial
@@ -118,6 +119,7 @@ from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
 )
+from symbalance.notes.checking.steps.formulas_below_rows import unless_at_odds_with_rows
 from symbalance.notes.checking.steps.gravity import (
     GRAVITY_UNIT,
     has_unit_of_gravity,
@@ -144,6 +146,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.numbers_by_formulas import unless_a_formula_gives_it
+from symbalance.notes.checking.steps.numbers_said_again import unless_said_again
 from symbalance.notes.checking.steps.only_solutions import unless_not_the_only
 from symbalance.notes.checking.steps.open_against_lines import open_against_lines
 from symbalance.notes.checking.steps.open_cases import (
@@ -165,23 +168,28 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 )
 from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
+from symbalance.notes.checking.steps.results_in_turn import unless_wrong_in_turn
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.rival_cases import RivalCases
+from symbalance.notes.checking.steps.roots_by_kind import unless_of_another_kind
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_relations import judge_series
+from symbalance.notes.checking.steps.signs_denied import unless_sign_denied
 from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
 from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_words
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
+from symbalance.notes.checking.steps.systems_of_formulas import unless_of_a_system
 from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
+from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -259,6 +267,12 @@ _LAST: tuple[_Look, ...] = (
     unless_in_degrees,
     unless_of_lower_order,
     unless_not_the_only,
+    unless_of_another_kind,
+    unless_sign_denied,
+    unless_of_a_system,
+    unless_value_fails,
+    unless_wrong_in_turn,
+    unless_at_odds_with_rows,
     unless_of_arrays,
     unless_under_bars,
     unless_units_said_once,
@@ -321,6 +335,7 @@ class Judge:
             self.state.enter_case(chain.lines[0])
             return_to_case(self.state, chain)
             leave_ended_cases(self.state, chain)
+            turn_to_opposite_range(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             self.rivals.enter(self.state, chain)
             self.supposed.enter(self.state, chain)
@@ -504,6 +519,7 @@ class Judge:
         verdict = self._unless_its_own_premise(chain, k, self._of_its_case(chain, k, verdict))
         verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
+        verdict = unless_said_again(self.state, chain, k, verdict, again)
         if not self.rivals.are_beside(chain):
             verdict = unless_closed(self.state, chain, k, verdict)
         for look in _LAST:
@@ -715,12 +731,24 @@ class Judge:
     def _ranges_of_all_values(self, chain: Chain) -> frozenset[str]:
         """Return the letter of a range before a relation that is claimed of all of it: for all y > 0."""
         text, last = self.document.text, self.state.sections.chain_before(chain.start)
+        if own := self._range_of_all_behind(chain):
+            return own
         if last is None or len(last.letters) != 1 or not last.letters <= chain.letters:
             return frozenset()
         is_range = all(relation.sign in SATISFIED_BY for relation in last.relations)
         before = text[max(0, last.start - LONGEST_PLACE * 2) : last.start]
         is_of_all = is_range and speaks_of_every(before)
         return last.letters if is_of_all and leads_to_claim(text[last.end : chain.start]) else frozenset()
+
+    def _range_of_all_behind(self, chain: Chain) -> frozenset[str]:
+        """Return the letter of a range right behind what is claimed of all of it: for all x ≠ 0."""
+        text, near = self.document.text, self.state.sections.chains_behind(chain.end - 1)
+        behind = next(near, None)
+        if behind is None or behind.start - chain.end > LONGEST_PLACE or len(behind.letters) != 1:
+            return frozenset()
+        is_range = all(relation.sign in SATISFIED_BY for relation in behind.relations)
+        is_of_all = is_range and speaks_of_every(text[chain.end : behind.start])
+        return behind.letters & chain.letters if is_of_all else frozenset()
 
     def _claimed_always(self, chain: Chain, k: int) -> frozenset[str]:
         """Return the letters of an inequality that is said to be so always: always y² ≥ 1.

@@ -29,9 +29,15 @@ from symbalance.notes.checking.verdicts import (
 )
 from symbalance.notes.checking.words.lists_of_data import sets_number
 from symbalance.notes.checking.words.plain_formulas import plain_text
-from symbalance.notes.checking.words.words_of_numbers import ALL, number_spoken_of
+from symbalance.notes.checking.words.words_of_numbers import (
+    Spoken,
+    number_by_place,
+    numbers_spoken_of,
+)
 from symbalance.notes.reading.equations import Chain
 
+_A_CASE = "a new case"
+"""How the reason of a number begins that is taken for one of another case."""
 MOST = 8
 """Numbers of a letter, the last ones, among which words choose."""
 
@@ -40,30 +46,30 @@ def by_numbers_spoken_of(
     state: JudgingState, chain: Chain, k: int, verdict: Verdict, again: Callable[[], Verdict]
 ) -> Verdict:
     """Return a verdict that rests on the numbers which the words before a relation are about."""
-    judged = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION)
     is_put_in = verdict.verdict == PREMISE and verdict.reason.startswith((NUMBERS_PUT_IN, FIXES))
-    if (verdict.verdict not in judged and not is_put_in) or sets_number(chain):
+    if not _is_to_be_told(state, chain, verdict, is_put_in=is_put_in):
         return verdict
-    several = _several_numbers(state, chain, k)
-    text, sections = state.document.text, state.sections
-    spoken: dict[str, Chain] = {}
-    every: list[dict[str, Chain]] = []
-    for name, (givers, now) in several.items():
-        place = number_spoken_of(sections, text, chain, givers, now)
-        if place == ALL:
-            every = every or [{} for _ in givers]
-            for chosen, giver in zip(every, givers, strict=False):
-                chosen[name] = giver
-        elif place is not None:
-            state.told_by_words.add((chain.start, k))
-            spoken |= {} if place == now else {name: givers[place]}
+    spoken, every, is_denied = _numbers_told(state, chain, k)
+    if every and is_denied:
+        return _said_of_none(state, chain, k, verdict, every, again)
     if every and verdict.verdict in PROVED_WORDS:
         for chosen in every:
-            if (there := _with(state, chosen, again)).verdict not in PROVED_WORDS:
+            if _with(state, chosen, again).verdict not in PROVED_WORDS:
                 reason = f"said of all of them; with {_shown(chosen)} it does not hold"
                 return describe(state.document, chain, k, Decision(UNDECIDED, reason))
-    if not spoken:
-        return verdict
+    return _by_spoken(state, chain, k, verdict, spoken, again, is_put_in) if spoken else verdict
+
+
+def _by_spoken(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    verdict: Verdict,
+    spoken: Mapping[str, Chain],
+    again: Callable[[], Verdict],
+    is_put_in: bool,
+) -> Verdict:
+    """Return the verdict with the numbers that words speak of, where others are in force."""
     premises, moments = state.definitions.premises, state.definitions.open_conditions
     if is_put_in:
         state.definitions.forget_moment(chain.sides[k + 1].node)  # it would prove itself
@@ -75,6 +81,79 @@ def by_numbers_spoken_of(
         return verdict
     reason = f"its words speak of {_shown(spoken)}, and with that it does not hold"
     return describe(state.document, chain, k, Decision(UNDECIDED, reason))
+
+
+def _is_to_be_told(state: JudgingState, chain: Chain, verdict: Verdict, *, is_put_in: bool) -> bool:
+    """Tell whether a relation is one that may rest on a number which words speak of."""
+    if sets_number(chain) and not _has_formula(state, chain):
+        return False
+    is_case = verdict.verdict == PREMISE and verdict.reason.startswith(_A_CASE) and sets_number(chain)
+    judged = (*PROVED_WORDS, REFUTED, CONTRADICTION, UNDECIDED, CONDITION)
+    return verdict.verdict in judged or is_put_in or is_case
+
+
+def _numbers_told(
+    state: JudgingState, chain: Chain, k: int
+) -> tuple[dict[str, Chain], list[dict[str, Chain]], bool]:
+    """Return the numbers that words speak of and are not in force, those of each case, if of several.
+
+    Last stands whether words say of the latter that it is so for none.
+    """
+    text, sections = state.document.text, state.sections
+    spoken: dict[str, Chain] = {}
+    every: list[dict[str, Chain]] = []
+    is_denied = False
+    for name, (givers, now) in _several_numbers(state, chain, k).items():
+        if sets_number(chain):  # its words say of what it is, and may name it anew
+            place = number_by_place(sections, text, chain, givers)
+            told = Spoken(() if place is None else (place,))
+        else:
+            told = numbers_spoken_of(sections, text, chain, givers, now)
+        if told.places:
+            state.told_by_words.add((chain.start, k))
+        if len(told.places) > 1:
+            every = every or [{} for _ in told.places]
+            is_denied = is_denied or told.is_denied
+            for chosen, n in zip(every, told.places, strict=False):
+                chosen[name] = givers[n]
+        elif told.places:
+            (place,) = told.places
+            is_sure = place == now and not _has_several_printed(state, name)
+            spoken |= {} if is_sure else {name: givers[place]}
+    return spoken, every, is_denied
+
+
+def _has_several_printed(state: JudgingState, name: str) -> bool:
+    """Tell whether a line has proved several numbers of a letter: each may stand for it below."""
+    return name in state.results.numbers and len(state.results.numbers[name][1]) > 1
+
+
+def _has_formula(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether lines above have a formula for the letter of which a relation gives a number."""
+    head = chain.sides[0].node
+    above = state.sections.chains_above(head, chain.start)
+    return any(len(c.sides) > 1 and names(c.sides[1].node) for c in above)
+
+
+def _said_of_none(
+    state: JudgingState,
+    chain: Chain,
+    k: int,
+    verdict: Verdict,
+    every: list[dict[str, Chain]],
+    again: Callable[[], Verdict],
+) -> Verdict:
+    """Return the verdict on a relation that words deny for each of several numbers.
+
+    It claims nothing, unless it holds with one of them: then what the words say is false.
+    """
+    for chosen in every:
+        if _with(state, chosen, again).verdict in PROVED_WORDS:
+            reason = f"said not to hold, and with {_shown(chosen)} it does"
+            return describe(state.document, chain, k, Decision(REFUTED, reason))
+    if verdict.verdict != REFUTED:
+        return verdict
+    return describe(state.document, chain, k, Decision(CONDITION, "said not to hold for any of them"))
 
 
 def _several_numbers(state: JudgingState, chain: Chain, k: int) -> dict[str, tuple[list[Chain], int]]:
@@ -104,10 +183,12 @@ def _with(state: JudgingState, chosen: Mapping[str, Chain], again: Callable[[], 
     for name, giver in chosen.items():
         definition = Definition(giver.sides[1].node, giver.lines[0], numeric=True)
         definitions.values.setdefault(name, []).append(Entry(definition, ()))
+    printed = state.results.numbers
+    state.results.numbers = {name: each for name, each in printed.items() if name not in chosen}
     try:
         return again()
     finally:
-        definitions.values = values
+        definitions.values, state.results.numbers = values, printed
 
 
 def _solved_beside(state: JudgingState, entries: list[Entry], chosen: Mapping[str, Chain]) -> list[Entry]:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Constant, Formula, Name, Number, Product
+from symbalance.document.formula import Constant, Formula, Name, Number, Product, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.deciding.inequalities import sample_ranges
@@ -102,6 +102,18 @@ _NO_SIGN = re.compile(
     re.IGNORECASE,
 )
 """Before a letter of what is neither positive nor negative."""
+_PLACE_BEHIND = re.compile(
+    r"[\s$)}\],]{0,4}(?P<words>(?:also\s+|auch\s+|even\s+)?(?:in|im|within|dans|nel|en|for|for\s+an|für|pour)\s[^.,;:!?。=\n]{2,40})",
+    re.IGNORECASE,
+)
+_DEGREES_BEHIND = re.compile(
+    r"[\s$)}\],]{0,4}(?:holds\s+|gilt\s+)?(?:also\s+|even\s+|auch\s+|aussi\s+|anche\s+|también\s+)?"
+    r"(?:(?P<beyond>beyond|above|past|jenseits\s+von|über|au-delà\s+de|oltre|más\s+allá\s+de)|at|for|bei|für|à|pour|a|per|en|para)\s+"
+    r"\$?(?P<degrees>[0-9]{1,3})\s*(?:°|\^\s?\{?\\circ\}?|degrees?|Grad)\$?(?=\s*(?:[.,;。]|$|\n))",
+    re.IGNORECASE,
+)
+"""An angle behind a relation, at which it is said to hold, or from which on."""
+_RIGHT = 90
 _MAY_STATE = re.compile(
     r"quadrant|cuadrante|象限|between|zwischen|entre|tra\s|negativ|négatif|負|comple|komplex|vec|vek|複素|ベクトル"
     r"|∈|\\in(?![A-Za-z])|obtus|stumpf|ottus|鈍角|acute|spitz|aigu|acut|agud|鋭角",
@@ -138,6 +150,8 @@ def _ranges_in_words(chain: Chain, document: ReadNotes) -> Iterator[StatedRange]
         for sign, bound in _of_letter(words, start, end)
     ]
     stated += [] if stated else list(_of_one_angle(chain, words))
+    stated += [] if stated else list(_of_one_angle(chain, _words_behind(chain, document)))
+    stated += [] if stated else list(_of_degrees_behind(chain, document))
     stated += [] if stated else list(_of_sentence_before(chain, document, words))
     for name, sign, bound in stated:
         yield StatedRange(Name(name), sign, bound, line, max(chain.lines))
@@ -151,15 +165,46 @@ def _of_one_angle(chain: Chain, words: str) -> Iterator[tuple[str, str, Formula]
     if len(angles) != 1:
         return
     (angle,) = angles
+    first = quarter_named(words)
+    if first is not None:
+        yield from ((angle, ">", _angle(first)), (angle, "<", _angle(first + 90)))
+
+
+def _words_behind(chain: Chain, document: ReadNotes) -> str:
+    """Return the words right behind a relation that say where its angle lies: in the second quadrant."""
+    match = _PLACE_BEHIND.match(document.text, chain.end)
+    return "" if match is None else match["words"]
+
+
+def _of_degrees_behind(chain: Chain, document: ReadNotes) -> Iterator[tuple[str, str, Formula]]:
+    """Yield the bounds of a relation's only angle by a number behind it: at 120°, also beyond 90°."""
+    match = _DEGREES_BEHIND.match(document.text, chain.end)
+    angles = {name for side in chain.sides for name in letters_in_waves(side.node)}
+    is_of_formulas = match is not None and all(names(side.node) for side in chain.sides)
+    if match is None or not is_of_formulas or len(angles) != 1:
+        return
+    (angle,) = angles
+    degrees = int(match["degrees"])
+    if match["beyond"]:
+        yield from ((angle, ">", _angle(degrees)), (angle, "<", _angle(degrees + _RIGHT)))
+    else:
+        near = 2  # a function of it keeps its sign that near, and the interval has points
+        yield from ((angle, ">", _angle(degrees - near)), (angle, "<", _angle(degrees + near)))
+
+
+def quarter_named(words: str) -> int | None:
+    """Return at how many degrees the quarter of a turn begins that words name, None for none.
+
+    >>> quarter_named("in the third quadrant"), quarter_named("is obtuse, hence"), quarter_named("so")
+    (180, 90, None)
+    """
     quarters = list(_QUADRANT_ALONE.finditer(words))
     is_obtuse, is_acute = _OBTUSE.search(words) is not None, _ACUTE.search(words) is not None
     if len(quarters) == 1:
-        first = 90 * _QUARTERS[(quarters[0]["which"] or quarters[0]["sign"]).lower()]
-    elif is_obtuse != is_acute and not quarters and _NOT.search(words) is None:
-        first = 90 if is_obtuse else 0
-    else:
-        return
-    yield from ((angle, ">", _angle(first)), (angle, "<", _angle(first + 90)))
+        return 90 * _QUARTERS[(quarters[0]["which"] or quarters[0]["sign"]).lower()]
+    if is_obtuse != is_acute and not quarters and _NOT.search(words) is None:
+        return 90 if is_obtuse else 0
+    return None
 
 
 def _of_sentence_before(
@@ -222,8 +267,8 @@ def _bound(written: str) -> Formula | None:
     return Product((Number(size), Constant("pi"))) if is_angle and size else Number(size)
 
 
-def _angle(degrees: int) -> Formula:
-    return Product((Number(Fraction(degrees, _STRAIGHT)), Constant("pi"))) if degrees else _number(0)
+def _angle(degrees: int | Fraction) -> Formula:
+    return Product((Number(Fraction(degrees) / _STRAIGHT), Constant("pi"))) if degrees else _number(0)
 
 
 def _number(value: int) -> Formula:

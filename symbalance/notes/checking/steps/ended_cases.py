@@ -15,7 +15,7 @@ from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
-from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge, StatedRange
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises.definitions import Definitions
@@ -111,6 +111,30 @@ def leave_ended_cases(state: JudgingState, chain: Chain) -> None:
             _forget_since(state.definitions, case, place)
             state.ended_cases.append(case)
             del state.cases_to_leave[start]
+
+
+def turn_to_opposite_range(state: JudgingState, chain: Chain) -> None:
+    """State the opposite of a range behind "otherwise": if x > 0, |x| = x, and otherwise |x| = -x."""
+    sections, text = state.sections, state.document.text
+    last = sections.chain_before(chain.start)
+    words = "" if last is None else _SENTENCE.split(text[last.end : chain.start])[-1]
+    if last is None or not _OTHERWISE.search(words):
+        return
+    start = sections.start_of_line(sections.paragraph_start(chain.lines[0]))
+    above = sections.chains_between(start, chain.start)
+    ranges = [c for c in above if _is_range_of_letter(c) and len(c.relations) == 1]
+    case = next((c for c in reversed(ranges) if sections.opens_case(c)), None)
+    if case is None or case.relations[0].sign not in _OPPOSITE:
+        return
+    left, right = (side.node for side in case.sides)
+    definitions, line = state.definitions, chain.lines[0]
+    definitions.forget_range(case)
+    definitions.cases = [c for c in definitions.cases if c.start != case.start]
+    opposite = StatedRange(left, _OPPOSITE[case.relations[0].sign], right, line, line)
+    definitions.ranges.append(opposite)
+
+
+_OPPOSITE = {">": "≤", "<": "≥", "≥": "<", "≤": ">"}
 
 
 def letters_of_ended(state: JudgingState, chain: Chain) -> frozenset[str]:

@@ -62,7 +62,7 @@ def by_own_row(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> V
     if (is_alone and not is_new) or is_measured(state.definitions, chain):
         return verdict
     row = {
-        name: value for name, value in _row_of(state, chain).items() if value.span < chain.sides[1].span
+        name: value for name, value in row_of(state, chain).items() if value.span < chain.sides[1].span
     }
     for left, formula in _equations(state, chain, head.name):
         if any(head.name in names(call) for call in parts_of_kind(formula, Call)):
@@ -71,15 +71,15 @@ def by_own_row(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> V
         given = {name: row[name] for name in others & row.keys()}
         if not given or len(others) > MOST:
             continue
-        given |= _common(state, chain, others - row.keys(), {*row, head.name})
+        given |= common_numbers(state, chain, others - row.keys(), {*row, head.name})
         if given.keys() != others:
             continue
         known = state.knowledge(chain.lines[0]).definitions
         is_in_force = all(n in known and known[n].node == v for n, v in given.items())
         if not is_new and is_in_force:
             continue
-        agrees = _agrees(left, formula, {**given, head.name: value}, head.name)
-        if agrees is False:
+        is_so = agrees(left, formula, {**given, head.name: value}, head.name)
+        if is_so is False:
             status = REFUTED if is_new else UNDECIDED
             shown = " and ".join(f"{plain_text(Name(n))} = {plain_text(v)}" for n, v in given.items())
             equation = f"{plain_text(left)} = {plain_text(formula)}"
@@ -88,7 +88,7 @@ def by_own_row(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> V
     return verdict
 
 
-def _row_of(state: JudgingState, chain: Chain) -> dict[str, Formula]:
+def row_of(state: JudgingState, chain: Chain) -> dict[str, Formula]:
     """Return the numbers that a relation's row of a table, list item or sentence gives letters."""
     sections, text, line = state.sections, state.document.text, chain.lines[0]
     head = chain.sides[0].node
@@ -135,7 +135,7 @@ def _values(chains: list[Chain]) -> dict[str, Formula]:
     return {c.sides[0].node.name: c.sides[1].node for c in chains if isinstance(c.sides[0].node, Name)}
 
 
-def _common(
+def common_numbers(
     state: JudgingState, chain: Chain, letters: frozenset[str], row: Iterable[str]
 ) -> dict[str, Formula]:
     """Return the numbers of letters that the page gives once, above a relation, apart from such rows."""
@@ -173,7 +173,7 @@ def _equations(state: JudgingState, chain: Chain, name: str) -> Iterator[tuple[F
             yield left, each.sides[1].node
 
 
-def _agrees(left: Formula, right: Formula, values: dict[str, Formula], name: str) -> bool | None:
+def agrees(left: Formula, right: Formula, values: dict[str, Formula], name: str) -> bool | None:
     """Tell whether numbers make an equation true, to the digits that they are printed with.
 
     None where the difference is too small to be sure, or cannot be worked out.

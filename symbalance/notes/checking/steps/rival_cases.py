@@ -87,7 +87,8 @@ class RivalCases:
             is_near = 0 < chain.lines[0] - before.lines[-1] <= _MOST_LINES
             return is_near and _sides(before) == _sides(chain)
         between = self.document.text[before.end : chain.start]
-        return _CONNECTED.fullmatch(between) is not None and "\n\n" not in between
+        is_title = ":" in between.replace("\\:", "")  # Case 2 (x < 0): |x| = -x
+        return _CONNECTED.fullmatch(between) is not None and "\n\n" not in between and not is_title
 
     def _is_group(self, group: Sequence[Chain], kind: str) -> bool:
         if len(group) < 2:

@@ -97,6 +97,17 @@ _OF_ANY_SIGN = re.compile(
     r"|positive[nrsm]?\s+oder\s+negative[nrsm]?))(?![A-Za-z])",
     re.IGNORECASE,
 )
+_OF_ANY_SIGN_BEHIND = re.compile(
+    r"[\s$)}\],]{0,6}(?:(?:holds?|is\s+(?:true|valid|right)|gilt|vaut|vale|est\s+vrai)\s+)?(?:(?:regardless|irrespective|independent(?:ly)?)\s+of\s+(?:the\s+)?signs?"
+    r"|(?:whatever|no\s+matter\s+what)\s+(?:the\s+)?signs?|unabhängig\s+vom\s+Vorzeichen|bei\s+jedem\s+Vorzeichen|quel\s+que\s+soit\s+le\s+signe"
+    r"|indépendamment\s+du\s+signe|indipendentemente\s+dal\s+segno|sea\s+cual\s+sea\s+el\s+signo|(?:also\s+|auch\s+|aussi\s+|anche\s+|también\s+)?"
+    r"(?:even\s+)?(?:for|für|bei|pour|per|para)\s+(?:negative[nrsm]?|négati(?:f|ve)s?|negativ[oiae]s?)(?![^\W\d_])|(?:on|over|during|in)\s+(?:the\s+)?(?:whole|full|entire)\s+"
+    r"(?:circle|turn|revolution|cycle)|(?:auf|über|im)\s+(?:dem\s+|den\s+|der\s+)?(?:ganze[nrm]?|gesamten|voll[en]+)\s+(?:Kreis|Umlauf|Umdrehung)"
+    r"|sur\s+(?:tout\s+le\s+(?:cercle|tour)|un\s+tour\s+entier)|su\s+tutto\s+il\s+(?:cerchio|giro)|en\s+toda\s+la\s+(?:vuelta|circunferencia))"
+    r"|[\s$)}\]]{0,4}(?:は)?(?:符号によらず|一周にわたって)",
+    re.IGNORECASE,
+)
+"""Words right behind a relation by which its letters may be below zero, or its angle anywhere."""
 _FARTHEST_BEHIND = 80
 """Characters behind a relation in which such words name their letters."""
 _ANGLE_WORD = r"(?:crank\s+)?(?:angles?|positions?)|(?:Kurbel)?[Ww]inkel|Stellungen?|クランク角|角度?"
@@ -235,6 +246,15 @@ def leads_to_claim(words: str) -> bool:
 def is_of_any_sign(words: str) -> bool:
     """Tell whether words say that numbers may be positive or negative."""
     return _OF_ANY_SIGN.search(words) is not None
+
+
+def is_of_any_sign_behind(text: str, end: int) -> bool:
+    """Tell whether words right behind a relation say that it is so whatever the signs of its letters.
+
+    >>> is_of_any_sign_behind("|x| = x for negative x too", 7), is_of_any_sign_behind("|x| = x.", 7)
+    (True, False)
+    """
+    return _OF_ANY_SIGN_BEHIND.match(text, end) is not None
 
 
 def spoken_of_behind(text: str, end: int) -> frozenset[str]:

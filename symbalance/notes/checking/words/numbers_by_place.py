@@ -7,6 +7,7 @@ A. Of r = 40 mm and r = 50 mm, s = 80 mm and s = 100 mm "respectively", the firs
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from symbalance.document.formula import Name
 from symbalance.notes.checking.words.sections import Sections
@@ -15,11 +16,16 @@ from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 _RESPECTIVELY = re.compile(
-    r"(?<![^\W\d_])(?:respectively|beziehungsweise|bzw\.|jeweils|respectivement|rispettivamente"
+    r"(?<![^\W\d_])(?:respectively|resp\.|beziehungsweise|bzw\.|jeweils|respectivement|rispettivamente"
     r"|respectivamente)(?![^\W\d_])|それぞれ",
     re.IGNORECASE,
 )
-_END = re.compile(r"(?<![0-9])[.!?](?=\s|$)|。|\n\s*\n")
+_END = re.compile(r"(?<![0-9])(?<!bzw)(?<!resp)[.!?](?=\s|$)|。|\n\s*\n")
+_BESIDE = re.compile(
+    r"[\s$)}\]]*(?:,?\s*(?<![^\W\d_])(?:and|or|und|oder|bzw\.|resp\.|et|ou|e|o|y)(?![^\W\d_])|,|と|または|、)[\s$({\[]*",
+    re.IGNORECASE,
+)
+"""Between two results in a row, one for each of the numbers before: s = 80 mm or s = 100 mm."""
 
 
 def by_own_column(text: str, chain: Chain, givers: Sequence[Chain]) -> int | None:
@@ -57,17 +63,27 @@ def by_index(sections: Sections, chain: Chain, own: Sequence[frozenset[str]]) ->
 
 
 def by_order(sections: Sections, text: str, chain: Chain, givers: Sequence[Chain]) -> int | None:
-    """Return the number of a result's own turn in a sentence that says "respectively"."""
+    """Return the number of a result's own turn in a sentence that says "respectively".
+
+    Without that word as many results in a row as there are numbers in a row go with these too.
+    """
     start = givers[0].start
     if givers[-1].end > chain.start or _END.search(text, start, chain.start):
         return None
     match = _END.search(text, chain.end)
     end = match.start() if match is not None else len(text)
-    if _RESPECTIVELY.search(text, start, end) is None:
-        return None
     between = sections.chains_between(givers[-1].end, end)
     results = [c for c in between if _stem(c) == _stem(chain)]
-    return results.index(chain) if len(results) == len(givers) and chain in results else None
+    if len(results) != len(givers) or chain not in results:
+        return None
+    is_said = _RESPECTIVELY.search(text, start, end) is not None
+    is_in_rows = len(givers) > 1 and all(_stand_in_row(text, row) for row in (givers, results))
+    return results.index(chain) if is_said or is_in_rows else None
+
+
+def _stand_in_row(text: str, row: Sequence[Chain]) -> bool:
+    """Tell whether nothing but "and", "or" and commas stands between relations."""
+    return all(_BESIDE.fullmatch(text, a.end, b.start) for a, b in pairwise(row))
 
 
 def _index(chain: Chain) -> str:

@@ -644,7 +644,9 @@ class Sections:
 
         With `named`, those only that the words name: for every x, and not "in general".
         """
-        if case_words.is_said_of_all_behind(self.document.text, chain.end):
+        text = self.document.text
+        is_of_all = case_words.is_said_of_all_behind(text, chain.end)
+        if is_of_all or case_words.is_of_any_sign_behind(text, chain.end):
             return frozenset(letters)
         start = chain.start
         last = self.chain_before(start)

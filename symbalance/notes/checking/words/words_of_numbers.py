@@ -8,7 +8,14 @@ sentence with own words of one number, and none of the others, speaks of that on
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
+from symbalance.notes.checking.words.joined_numbers import (
+    Joined,
+    is_said_of_each,
+    joined_numbers,
+    named_by_turn,
+)
 from symbalance.notes.checking.words.labels_of_cases import COMPARED
 from symbalance.notes.checking.words.numbers_by_place import by_index, by_order, by_own_column
 from symbalance.notes.checking.words.places_in_words import with_dead_centres
@@ -52,39 +59,85 @@ _ORDINAL = re.compile(
     r"|(?P<second>second|latter|zweite[nrs]?|deuxième|secondo?|segund[oa]))(?![^\W\d_])|(?P<one>前者)|(?P<two>後者)",
     re.IGNORECASE,
 )
+_OF_EACH = (
+    r"(?:engines?|motor(?:en|s)?|machines?|maschinen?|moteurs?|designs?|variant\w*|versions?|samples?|examples?|pistons?|cylinders?|shafts?|wheels?"
+    r"|springs?|bodies|body|rods?|cases?|f[aä]ll\w*|cas|cas[io]s?|motor[ei]|proben?|beispielen?|exemples?|échantillons?|kolben|zylindern?|wellen?)"
+)
 _BOTH = re.compile(
     r"(?<![^\W\d_])(?:both|beide[nr]?|(?:tou)?(?:te)?s\s+les\s+deux|les\s+deux|entrambi|ambos)\s*"
-    r"(?:(?:the|der|die)\s+)?(?:$|(?:ha(?:ve|t|ben)|are|sind|ont|sont|give|ergeben|cases|engines|motor\w*|machines|maschinen|moteurs|designs|variant\w*"
-    r"|versions|fälle\w*|cas)(?![^\W\d_]))|(?:両者|両方|どちらも)",
+    r"(?:(?:the|der|die)\s+)?(?:$|(?:ha(?:ve|t|ben)|are|sind|ont|sont|give|ergeben)(?![^\W\d_])"
+    rf"|{_OF_EACH}(?![^\W\d_]))|(?:両者|両方|どちらも|どちらの場合も|いずれの場合も|どの場合も|各場合|常に)"
+    rf"|(?<![^\W\d_])(?:each|every|either|any|all|jede[nrsm]?|alle[nr]?|chaque|tou(?:s|tes)\s+les|chacune?\s+des|ogni|tutt[ie]\s+[ig]l?[ie]?|cada"
+    rf"|tod[oa]s\s+l[oa]s)\s+(?:(?:the|of|der|den|von)\s+){{0,2}}{_OF_EACH}(?![^\W\d_])"
+    r"|(?<![^\W\d_])(?:always|immer|stets|jeweils|toujours|sempre|siempre|each\s+time|jedes\s+Mal)(?![^\W\d_])",
     re.IGNORECASE,
 )
+"""Words that speak of each of several cases: both have, in each case, always."""
 _COMPARISON = re.compile(rf"(?:{COMPARED})[^,.:;!?。、]*", re.IGNORECASE)
 _SENTENCE = re.compile(r"(?<!^[0-9])(?<!\s[0-9])[.!?]\s|[;。；]|\n\s*\n")
-ALL = -1
+_ALL = -1
 """Of which number words speak that speak of all of them."""
 REACH, MOST, SENTENCES = 200, 6, 2
 """Characters before a number, words before it, and sentences before a relation that are looked at."""
 
 
-def number_spoken_of(
+class Spoken(NamedTuple):
+    """The places of the numbers that words speak of."""
+
+    places: tuple[int, ...]
+    is_denied: bool = False
+    """Whether the words say that it is so for none of them."""
+
+
+def numbers_spoken_of(
     sections: Sections, text: str, chain: Chain, givers: Sequence[Chain], now: int
-) -> int | None:
+) -> Spoken:
     """Return which of several numbers of a letter the words before a relation are about.
 
-    None where they tell none; `ALL` where they are about all of them. `now` is the one in force. So does
-    its column in a table, and its place in a row of results "respectively".
+    None where they tell none, several where they are about each of them. `now` is the one in force. So
+    does its column in a table, and its place in a row of results "respectively".
     """
-    by_place = by_own_column(text, chain, givers)
-    by_place = by_order(sections, text, chain, givers) if by_place is None else by_place
+    by_place = number_by_place(sections, text, chain, givers)
     if by_place is not None:
-        return by_place
+        return Spoken((by_place,))
     leads = [_lead_of(sections, text, giver) for giver in givers]
     own = [lead.difference(*(leads[:n] + leads[n + 1 :])) for n, lead in enumerate(leads)]
+    named = _by_words_behind(text, chain, own) if own[now] else None
+    named = by_index(sections, chain, own) if named is None and own[now] else named
+    if named is not None:
+        return Spoken((named,))
+    joined = joined_numbers(text, givers) if now == len(givers) - 1 else None
+    if joined is not None:
+        return _of_joined(sections, text, chain, givers, joined)
     if not own[now]:
-        return None  # a number given since, in no case, is that of every case
-    named = _by_words_behind(text, chain, own)
-    named = by_index(sections, chain, own) if named is None else named
-    return _by_words_before(sections, text, chain, givers[now], own) if named is None else named
+        return Spoken(())  # a number given since, in no case, is that of every case
+    named = _by_words_before(sections, text, chain, givers[now], own)
+    every = tuple(range(len(givers)))
+    return Spoken(() if named is None else every if named == _ALL else (named,))
+
+
+def number_by_place(sections: Sections, text: str, chain: Chain, givers: Sequence[Chain]) -> int | None:
+    """Return which of several numbers a relation goes with by its column, or by its turn in a row."""
+    by_place = by_own_column(text, chain, givers)
+    if by_place is not None:
+        return by_place
+    joined = joined_numbers(text, givers)
+    first = 0 if joined is None else joined.first
+    by_turn = by_order(sections, text, chain, givers[first:])
+    return None if by_turn is None else first + by_turn
+
+
+def _of_joined(
+    sections: Sections, text: str, chain: Chain, givers: Sequence[Chain], joined: Joined
+) -> Spoken:
+    """Return which of the numbers in one breath a relation is about: each, or the one that words name."""
+    last, every = givers[-1], tuple(range(joined.first, len(givers)))
+    words = _without_formulas(sections, text, last.end, chain.start)
+    turn = named_by_turn(words) if len(every) == len(("first", "second")) else None
+    if turn is not None:
+        return Spoken((every[turn],))
+    is_of_each = is_said_of_each(text, last, chain) or _BOTH.search(words) is not None
+    return Spoken(every if is_of_each else (), joined.is_denied and is_of_each)
 
 
 def _by_words_before(
@@ -94,7 +147,7 @@ def _by_words_before(
     first = max(last.end, sections.start_of_line(sections.section_start(chain.lines[0])))
     for k, sentence in enumerate(reversed(_sentences(sections, text, first, chain))):
         if not k and _BOTH.search(sentence):
-            return ALL
+            return _ALL
         words = _tokens(with_dead_centres(_COMPARISON.sub(" ", sentence)))
         named = {n for n, each in enumerate(own) if each & words}
         if named:
