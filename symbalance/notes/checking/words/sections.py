@@ -98,9 +98,12 @@ _CONSEQUENCE = re.compile(
     r"|よって|したがって|従って|ゆえに|故に)[^.;:!?$=]{0,30}$",
     re.IGNORECASE,
 )
+_THIN_SPACE = re.compile(r"\\[;:,!]")
+"""Spaces typed with signs that end a sentence elsewhere: \\;\\Rightarrow\\; goes on."""
 _CONDITION = re.compile(
     r"(?:(?<![A-Za-z\\{])(?:where|when|whenever|if|setting|set|solve|solving|condition|equation|root|roots|extremum"
-    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum)"
+    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum"
+    r"|où|lorsque|quand|dove|quando|donde|cuando)"
     r"(?![A-Za-z])|条件|方程式|のとき)[^.;!?$=]{0,40}$",
     re.IGNORECASE,
 )
@@ -594,7 +597,7 @@ class Sections:
 
     def is_consequence(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
-        return _CONSEQUENCE.search(self._text_before(chain)) is not None
+        return _CONSEQUENCE.search(_THIN_SPACE.sub(" ", self._text_before(chain))) is not None
 
     def starts_new_case(self, chain: Chain, earlier_line: int, name: str) -> bool | None:
         """Tell whether words before a letter's other value say that it belongs to another case.
