@@ -26,8 +26,8 @@ _ANGLE = re.compile(
 )
 _SEPARATOR = re.compile(
     r"(?:\s|\\[,;: ]|~|\$|\\q?quad)*"
-    r"(?:\|\|?|[,;、，/&–—-]|(?<=[\s$])(?:and|und|et|bzw\.)(?=[\s$\\]))"
-    r"(?:\s|\\[,;: ]|~|\$|(?:and|und|et)(?=[\s$\\]))*"
+    r"(?:\|\|?|[,;、，/&–—-]|(?<=[\s$])(?:and|und|et|bzw\.|[eyi]|oraz|och|og|en)(?=[\s$\\])|と|および)"
+    r"(?:\s|\\[,;: ]|~|\$|(?:and|und|et|[eyi]|oraz|och|og|en)(?=[\s$\\]))*"
 )
 _STARTS = re.compile(r"(?<![\w.^{=\\(])(?:(?<=\$)|(?<=\{)|)(?=0|\\ang\{0)|(?:(?<=[($（])|(?<=\\\{))(?=0)")
 _OF_CRANKS = re.compile(
