@@ -70,6 +70,7 @@ from symbalance.notes.reading.spellings.units_behind_waves import with_units_of_
 from symbalance.notes.reading.spellings.units_below_strokes import with_units_below_strokes
 from symbalance.notes.reading.spellings.units_in_brackets import with_units_without_brackets
 from symbalance.notes.reading.spellings.units_in_parts import with_sums_of_units
+from symbalance.notes.reading.spellings.upright_inches import with_upright_inches
 from symbalance.notes.reading.spellings.words_behind_units import with_words_apart
 from symbalance.notes.reading.spellings.wrapped_lines import SOFT_END, with_soft_ends
 from symbalance.notes.reading.units import height_named
@@ -197,6 +198,7 @@ def prepare(
         with_units_without_brackets,
         with_sums_of_units,
         with_bracketed_divisors,
+        with_upright_inches,
     ):
         reader.apply(rewrite(reader.text))
     reader.apply(with_sigma_sums(reader.text, is_letter))

@@ -9,7 +9,7 @@ judged, and corrected, in s and λ.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -26,6 +26,7 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.notes.checking.declared.symbol_roles import letters_by_role
+from symbalance.text import lazy_patterns as re
 
 
 def two() -> Number:
@@ -101,6 +102,22 @@ class Geometry:
         return Product((self.mass, self.acceleration))
 
 
+_FROM_TOP = re.compile(
+    r"(?<![^\W\d_])(?:o\.?t\.?|tdc|top dead|oberen totpunkt|pmh|pms|point mort haut|punto morto superiore"
+    r"|punto muerto superior)(?![^\W\d_])|上死点",
+    re.IGNORECASE,
+)
+
+
+def _angle_of_cylinder(letters: Sequence[str], symbols: Mapping[str, str]) -> Name | None:
+    """Return the crank angle that a piston's motion is a formula of: the one counted from its own top.
+
+    Of an engine with banks another one may be counted from the line between these.
+    """
+    own = [name for name in letters if _FROM_TOP.search(symbols[name])] if len(letters) > 1 else ()
+    return next((Name(name) for name in (*own, *letters)), None)
+
+
 def geometry(symbols: Mapping[str, str], convention: str = "") -> Geometry:
     """Return the slider-crank in the letters of a document; `convention` says what its λ or ρ means."""
     letters = letters_by_role(symbols)
@@ -118,7 +135,7 @@ def geometry(symbols: Mapping[str, str], convention: str = "") -> Geometry:
         Quotient(Product((Constant("pi"), speed)), Number(Fraction(30))) if speed is not None else None
     )
     return Geometry(
-        theta=first("crank angle") or Name("theta"),
+        theta=_angle_of_cylinder(letters.get("crank angle", ()), symbols) or Name("theta"),
         radius=radius,
         length=length,
         omega=first("angular speed") or by_rpm or Name("omega"),

@@ -231,11 +231,16 @@ _TOP = (
     r"|(?:the )?top dead position)"
 )
 _OBEN = r"(?:(?:dem |vom )?(?:ot|o\.t\.|oberen totpunkt)|zünd-?ot)"
+_OF_ITS_CYLINDER = (
+    r"(?: (?:of|in) (?:the|its|each|that|one|a)(?: (?:respective|same|own))? cylinders?"
+    r"| (?:des|seines|eines|je)(?: (?:jeweiligen|betreffenden|betrachteten|eigenen|einzelnen))?"
+    r" zylinders?)?"
+)
 _COUNTED = r"(?:(?:measured|counted|reckoned|taken) )?"
 _GEZAEHLT = r"(?:(?:gemessen|gezählt) )?"
 _FROM_THE_TOP = re.compile(
-    rf"(?P<angle>.{{1,60}}?),? \(?{_COUNTED}(?:from|after|past|relative to) {_TOP}\)?"
-    rf"|(?P<winkel>.{{1,60}}?),? \(?{_GEZAEHLT}(?:ab|nach|von|vom) {_OBEN}(?: aus| an)?"
+    rf"(?P<angle>.{{1,60}}?),? \(?{_COUNTED}(?:from|after|past|relative to) {_TOP}{_OF_ITS_CYLINDER}\)?"
+    rf"|(?P<winkel>.{{1,60}}?),? \(?{_GEZAEHLT}(?:ab|nach|von|vom) {_OBEN}{_OF_ITS_CYLINDER}(?: aus| an)?"
     rf"(?: (?:gemessen|gezählt))?\)?"
     r"|上死点(?:から|を基準と(?:した|する))(?:測った|測定した|計った|数えた|の)?(?P<kaku>.{1,30})"
     r"|(?P<kakudo>.{1,30}?)[(（]上死点(?:から|基準)(?:の角度|測定)?[)）]"

@@ -320,6 +320,8 @@ class Judge:
         self.table_rows = TableRows(self.document)
         self.rivals = RivalCases(self.document)
         self.supposed = SupposedNumbers()
+        self.places_of_tables: dict[str, Formula] = {}
+        """What tables and lists have given letters last: another one gives them another value."""
         self.guard = Guard(self.document, self.budget)
         self.quotations = Quotations(self.document)
 
@@ -363,9 +365,14 @@ class Judge:
             self.state.enter_case(datum.lines[0])
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
+            node = datum.sides[1].node
             if earlier is not None and not earlier.numeric:
+                if earlier.node == self.places_of_tables.get(name):  # z_1 = 2a, and here another table
+                    self.state.definitions.define(name, node, datum)
+                    self.places_of_tables[name] = node
                 continue
             verdicts = self.chain(datum, [])
+            self.places_of_tables[name] = node
             if any(v.verdict in (REFUTED, CONTRADICTION, UNDECIDED) for v in verdicts):
                 self.state.definitions.define(name, datum.sides[1].node, datum)  # another engine's table
 

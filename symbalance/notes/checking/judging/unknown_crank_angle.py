@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.formula import Name, names
+from symbalance.document.formula import Call, Name, names, walk
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.declared.symbol_roles import KNOWN, role_of
+from symbalance.notes.checking.declared.symbol_roles import KNOWN, letters_by_role, role_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, UNDECIDED, Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
@@ -30,6 +30,8 @@ def unless_angle_unknown(state: JudgingState, chain: Chain, k: int, verdict: Ver
     if not angle or not _rests_on(angle, state, chain, k, verdict):
         return verdict
     others = _other_angles(state, chain.lines[0])
+    if _turns_with_time(chain, state) and not others & chain.letters:
+        return verdict  # cos ω t, where nothing but the crank turns by a declared ω
     if not others:
         return verdict  # of any angle: what words say of a largest value, or of a dead centre
     if _is_refuted_of_any(angle, others, state, chain, k):
@@ -52,6 +54,19 @@ def _undeclared_angle(state: JudgingState, line: int) -> str:
     if not isinstance(theta, Name):
         return ""
     return "" if any(theta.name in chain.letters for chain in state.document.chains) else theta.name
+
+
+def _turns_with_time(chain: Chain, state: JudgingState) -> bool:
+    """Tell whether a relation's waves are of ω t, a speed of the crank and a time that are declared."""
+    letters_here = letters_by_role(state.declarations.symbols_at(chain.lines[0]))
+    speeds, times = ({*letters_here.get(role, ())} for role in ("angular speed", "time"))
+    waves = [
+        names(part.argument)
+        for side in chain.sides
+        for part in walk(side.node)
+        if isinstance(part, Call) and part.function in ("sin", "cos")
+    ]
+    return bool(waves) and all(own & speeds and own & times for own in waves)
 
 
 def _other_angles(state: JudgingState, line: int) -> set[str]:

@@ -38,16 +38,46 @@ _NUMBERED = re.compile(r"(?P<stem>.+[_,])(?P<number>\d{1,2})")
 
 @dataclass(frozen=True)
 class _Values:
-    """The numbers of the letters that a page gives a value, with the lines; and what it gives for all."""
+    """Where a page gives numbered letters their values, by lines; and what it gives for all at once."""
 
-    lines: Mapping[str, Mapping[int, int]]
-    general: frozenset[str]
+    lines: Mapping[str, Mapping[int, tuple[int, ...]]]
+    rules: Mapping[str, tuple[_Rule, ...]]
 
     def numbers(self, stem: str, line: int) -> list[int]:
-        """Return the numbers that a letter has values for, by lines above where there are any."""
+        """Return the numbers that a letter has values for, by lines above where there are any.
+
+        A list that begins anew is a list of its own: three angles below five are those of a three.
+        """
         own = self.lines.get(stem, {})
-        above = sorted(number for number, at in own.items() if at <= line)
-        return above or sorted(own)
+        above = {number: [at for at in lines if at <= line] for number, lines in own.items()}
+        last = {number: lines[-1] for number, lines in above.items() if lines}
+        if not last:
+            return sorted(own)
+        begun = last[min(last)]
+        current = sorted(number for number, at in last.items() if at >= begun)
+        return current if len(current) > 1 else sorted(last)
+
+    def rule(self, letter: str, line: int) -> _Rule | None:
+        """Return what a letter is for every index, None where a list of values stands nearer above."""
+        rules = self.rules.get(letter, ())
+        above = [rule for rule in rules if rule.line <= line] or list(rules[:1])
+        if not above:
+            return None
+        own = self.lines.get(_stem_of(letter), {})
+        listed = max((at for lines in own.values() for at in lines if at <= line), default=0)
+        return None if listed > above[-1].line else above[-1]
+
+
+@dataclass(frozen=True)
+class _Rule:
+    """What a letter is for every index, z_i = (i − 1) a, and the line that says so."""
+
+    value: Formula
+    line: int
+
+
+def _stem_of(letter: str) -> str:
+    return letter[: letter.rfind("_") + 1]
 
 
 def with_expanded_sums(page: ReadNotes, data: Iterable[Chain] = ()) -> ReadNotes:
@@ -78,21 +108,26 @@ def _parts(node: Formula) -> Iterable[Formula]:
 
 
 def _values(chains: Iterable[Chain]) -> _Values:
-    lines: dict[str, dict[int, int]] = {}
-    general: set[str] = set()
-    for chain in chains:
+    lines: dict[str, dict[int, tuple[int, ...]]] = {}
+    rules: dict[str, tuple[_Rule, ...]] = {}
+    for chain in sorted(chains, key=lambda chain: chain.lines[0]):
+        line = chain.lines[0]
         for k, side in enumerate(chain.sides):
             is_given = isinstance(side.node, Name) and (
                 any(r.sign == "=" for r in chain.relations[max(k - 1, 0) : k + 1])
             )
             if not is_given or not isinstance(side.node, Name):
                 continue
-            match = _NUMBERED.fullmatch(side.node.name)
+            name = side.node.name
+            match = _NUMBERED.fullmatch(name)
             if match is None:
-                general.add(side.node.name)
+                other = chain.sides[k + 1 if k + 1 < len(chain.sides) else k - 1].node
+                rules[name] = (*rules.get(name, ()), _Rule(other, line))
             else:
-                lines.setdefault(match["stem"], {}).setdefault(int(match["number"]), chain.lines[0])
-    return _Values(lines, frozenset(general))
+                numbers = lines.setdefault(match["stem"], {})
+                number = int(match["number"])
+                numbers[number] = (*numbers.get(number, ()), line)
+    return _Values(lines, rules)
 
 
 def _expanded(node: Formula, values: _Values, line: int) -> Formula:
@@ -104,8 +139,9 @@ def _expanded(node: Formula, values: _Values, line: int) -> Formula:
 
 def _written_out(node: Summation, values: _Values, line: int) -> Formula:
     index = node.index.name if node.index is not None else _index_of(node.body)
-    letters = indexed_letters(node.body, index) if index else []
-    if not letters or any(letter in values.general for letter in letters):
+    body = node.body if not index else _with_places_put_in(node.body, index, values, line)
+    letters = indexed_letters(body, index) if index else []
+    if not letters or any(values.rule(letter, line) for letter in letters):
         return node
     stems = [letter[: -len(index)] for letter in letters if letter.endswith(index)]
     if len(stems) < len(letters):
@@ -121,12 +157,30 @@ def _written_out(node: Summation, values: _Values, line: int) -> Formula:
         return node
     try:
         terms = [
-            _moved(substitute(at_index(node.body, index, k), index, Number(Fraction(k))), node.span)
+            _moved(substitute(at_index(body, index, k), index, Number(Fraction(k))), node.span)
             for k in numbers
         ]
     except NoFormError:  # the index of a derivative is no number
         return node
     return Sum(tuple(terms), span=node.span) if len(terms) > 1 else terms[0]
+
+
+def _with_places_put_in(body: Formula, index: str, values: _Values, line: int) -> Formula:
+    """Return what is summed with the letters put in that a rule gives for every index, beside a list.
+
+    With z_i = (i − 1) a and the angles φ_1, φ_2, φ_3 it says how many terms the sum of z_i cos φ_i has.
+    Where all letters have rules the sum stays as it is: its number of terms is open.
+    """
+    letters = indexed_letters(body, index)
+    ruled = {letter: rule for letter in letters if (rule := values.rule(letter, line))}
+    if not ruled or len(ruled) == len(letters):
+        return body
+    for letter, rule in ruled.items():
+        own = names(rule.value)
+        if index not in own or indexed_letters(rule.value, index):
+            return body
+        body = substitute(body, letter, rule.value)
+    return body
 
 
 def _index_of(body: Formula) -> str:

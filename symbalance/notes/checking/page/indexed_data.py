@@ -39,7 +39,8 @@ from symbalance.notes.algebra.sums import at_index
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.reading import ReadingError, read_expression
 from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
-from symbalance.notes.reading.letters.macro_letters import letter_in
+from symbalance.notes.reading.letters.macro_letters import formulas_of, letter_in
+from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
 _INDEX = re.compile(r"(?P<stem>.+_)(?P<index>[ijkn]|nu|[0-9]{1,2})")
@@ -48,12 +49,23 @@ _DEGREES = re.compile(
 )
 """The one unit that a head may have: a formula may put in lengths in mm as bare numbers."""
 _HEADS = re.compile(
-    r"(?:cyl(?:inder)?s?|throws?|cranks?|zyl(?:inder)?|kröpfung|nr|no|number|nummer|piston|kolben|シリンダ|気筒|番号)?[.:#]?"
+    r"(?:cyl(?:inder)?s?|throws?|cranks?|(?:crank\s?)?pins?|zyl(?:inder)?|kröpfung|(?:hub|kurbel)?zapfen|kurbel|nr|no"
+    r"|number|nummer|piston|kolben|cylindre|manetons?|manivelle|coude|cilindro|manovella|perno|muñequilla|codo"
+    r"|シリンダ|気筒|番号|クランク(?:ピン)?)?[.:#]?"
     r"(?:\s*(?:[ijkn]|number|no\.?|nr\.?|番号))?|#",
     re.IGNORECASE,
 )
 _MARKS = re.compile(r"\*\*|\$|\\[()]|`|</?(?:b|i|em|strong|var|math)\b[^>]*>")
 _LONGEST_CELL = 60
+_NUMBER = re.compile(
+    r"(?P<sign>[+\-−]?)\s?(?P<digits>[0-9]+(?:(?:[.,]|\{,\})[0-9]{1,2})?)(?=$|\s?\\?[A-Za-z])"
+)
+"""A short number of a cell, the place of a cylinder in distances of two: −1,5 and +0.5."""
+_OVER_A_LETTER = re.compile(
+    r"(?P<above>[^/\s]{1,20})\s?/\s?(?P<below>\\?[A-Za-z]{1,12}(?:_\{?\w{1,6}\}?)?)"
+    r"|\\[dt]?frac\s?\{(?P<over>[^{}]{1,20}(?:\{\w{1,6}\})?)\}\s?\{(?P<under>[^{}]{1,12})\}"
+)
+"""The head z_k/a of a column of places."""
 
 
 class Cell(Protocol):
@@ -203,6 +215,7 @@ def tables_of_values(
 class _Tables:
     def __init__(self, page: ReadNotes, used: Collection[str]) -> None:
         self.page, self.used = page, used
+        self.expanded = formulas_of(page.text)
         self.stems = {
             (match["stem"], match["index"]) for name in used if (match := _INDEX.fullmatch(name))
         }
@@ -221,13 +234,17 @@ class _Tables:
             text = _bare(head.text)
             name = _DEGREES.sub("", text)
             stem, unit = self._stem(name), "°" if name != text else ""
+            pitch = None if stem else self._pitch(text)
+            if pitch is not None:
+                stem = pitch[0]
             values = [self._value(row[column], unit) for row in table[1:]] if stem else []
             if not stem or any(value is None for value in values):
                 continue
             for number, value, row in zip(counted, values, table[1:], strict=True):
                 if value is not None:
                     span = row[column].span
-                    yield _given(f"{stem}{number}", value, span, self.page.line_of(span[0]))
+                    of_pitch = value if pitch is None else _times(value, pitch[1], span)
+                    yield _given(f"{stem}{number}", of_pitch, span, self.page.line_of(span[0]))
 
     def _stem(self, text: str) -> str:
         """Return δ_ for a head δ_k, δ_i or δ, where the page uses δ_k."""
@@ -238,8 +255,18 @@ class _Tables:
         stem = match["stem"] if match else f"{name}_"
         return stem if any(own == stem for own, _ in self.stems) else ""
 
+    def _pitch(self, text: str) -> tuple[str, str] | None:
+        """Return z_ and a for a head z_k/a, where the page uses z_k and a: its numbers are so many a."""
+        match = _OVER_A_LETTER.fullmatch(text)
+        if match is None:
+            return None
+        above, below = match["above"] or match["over"], match["below"] or match["under"]
+        stem, letter = self._stem(above), letter_in(self.page.text, below)
+        is_letter = letter in self.used and scale_of(below) is None
+        return (stem, letter) if stem and letter is not None and is_letter else None
+
     def _value(self, cell: Cell, unit: str) -> Formula | None:
-        text = _bare(cell.text)
+        text = _plain_number(_bare(self.expanded(cell.text)))
         text += unit if text.lstrip("-−").isdecimal() else ""
         if not text or len(text) > _LONGEST_CELL:
             return None
@@ -254,6 +281,19 @@ def _at(node: Formula, span: Span) -> Formula:
     parts = children(node)
     moved = with_children(node, tuple(_at(part, span) for part in parts)) if parts else node
     return replace(moved, span=span)
+
+
+def _times(value: Formula, letter: str, span: Span) -> Formula:
+    return Product((value, Name(letter, span=span)), span=span)
+
+
+def _plain_number(text: str) -> str:
+    """Return a short cell with its sign and its comma as a formula has them: +0,5 a is 0.5 a."""
+    match = _NUMBER.match(text)
+    if match is None:
+        return text
+    digits = match["digits"].replace("{,}", ".").replace(",", ".")
+    return match["sign"].strip("+") + digits + text[match.end() :]
 
 
 def _bare(text: str) -> str:

@@ -4,7 +4,8 @@ S is the formula, S(k) is S, S(1/2) its value there, and S'(k) its derivative by
 as a function of two different letters, f(x) and f(t), is left as it is.
 
 J' without its place is the derivative too, where J(φ) has a wave of φ and J' is declared as no other
-letter: a prime is a mark like any other elsewhere, J' = J + m r².
+letter: a prime is a mark like any other elsewhere, J' = J + m r². Where the page says that its primes are
+derivatives by a letter, all of them are.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from symbalance.document.formula import (
     Power,
     Product,
     Span,
+    Sum,
     children,
     names,
     walk,
@@ -29,6 +31,7 @@ from symbalance.document.formula import (
     with_parts_changed,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes
+from symbalance.notes.reading.letters.primes_said import variable_of_primes
 from symbalance.text import lazy_patterns as re
 
 HIGHEST = 3
@@ -54,7 +57,8 @@ def with_own_functions(document: ReadNotes, symbols: Mapping[str, str] | None = 
     chains = document.chains
     if variables:
         chains = tuple(_chain(chain, document.text, variables) for chain in chains)
-    primed = _primed(chains, of_one, symbols or {})
+    said = variable_of_primes(document.text)
+    primed = _primed(chains, of_one, symbols or {}) | _primed_as_said(chains, said, symbols or {})
     if primed:
         chains = tuple(_with_derivatives(chain, primed) for chain in chains)
     return document if chains is document.chains else replace(document, chains=chains)
@@ -79,6 +83,33 @@ def _primed(
         if is_told and not is_other:
             primed[name] = Derivative(Name(stem), Name(variable), order)
     return primed
+
+
+def _primed_as_said(
+    chains: tuple[Chain, ...], variable: str, symbols: Mapping[str, str]
+) -> dict[str, Derivative]:
+    """Return the derivatives that all letters with primes are by the page's words; none without words.
+
+    A letter that is declared as something else is that, and so is one that adds to its bare letter.
+    """
+    own = [part.name for c in chains for s in c.sides for part in walk(s.node) if isinstance(part, Name)]
+    sides = [(c.sides[0].node, side.node) for c in chains for side in c.sides[1:]]
+    primed: dict[str, Derivative] = {}
+    for name in sorted(set(own)) if variable else ():
+        stem = name.rstrip("'")
+        order = len(name) - len(stem)
+        if not 0 < order <= HIGHEST or stem == variable:
+            continue
+        is_other = any(left == Name(name) and _adds(right, stem) for left, right in sides)
+        is_told = name not in symbols or _DERIVATIVE.search(symbols[name]) is not None
+        if is_told and not is_other:
+            primed[name] = Derivative(Name(stem), Name(variable), order)
+    return primed
+
+
+def _adds(node: Formula, stem: str) -> bool:
+    """Tell whether a letter is a term of a sum: in J' = J + m r² the prime makes another letter."""
+    return isinstance(node, Sum) and Name(stem) in node.terms
 
 
 def _has_wave_of(node: Formula, variable: str) -> bool:

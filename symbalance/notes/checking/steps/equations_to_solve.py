@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from fractions import Fraction
 
-from symbalance.document.formula import Call, Derivative, Formula, Name, Number, Product, names, walk
+from symbalance.document.formula import (
+    Call,
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Product,
+    names,
+    walk,
+)
 from symbalance.notes.algebra.evaluation import is_derivative_name
 from symbalance.notes.checking.deciding.equality import decide_equality
 from symbalance.notes.checking.declared.symbol_roles import letters_by_role
@@ -33,8 +43,9 @@ def _is_solved_by_words(state: JudgingState, chain: Chain, k: int) -> bool:
     own = names(chain.sides[k].node) | names(chain.sides[k + 1].node)
     if _is_solved_next(state, chain, own):
         return True
-    if names(chain.sides[k].node) & names(chain.sides[k + 1].node) & _angles(state, chain):
-        return False  # sin 2θ = 2 sin θ claims that they are the same
+    if angles := names(chain.sides[k].node) & names(chain.sides[k + 1].node) & _angles(state, chain):
+        # sin 2θ = 2 sin θ claims that they are the same
+        return _is_solved_for_angle(state, chain, k, angles)
     if state.sections.is_condition(chain):
         return True
     following = _next(state, chain)
@@ -50,6 +61,25 @@ def _is_solved_by_words(state: JudgingState, chain: Chain, k: int) -> bool:
         and following.sides[0].node.name in own
         and not names(following.sides[1].node)
     )
+
+
+def _is_solved_for_angle(state: JudgingState, chain: Chain, k: int, angles: Collection[str]) -> bool:
+    """Tell whether words or its shape make an equation in one angle one of some angles, solved behind.
+
+    Where A sin 2θ = B cos 2θ ⇒ tan 2θ = B/A: what follows has the angle on its left side alone.
+    """
+    following = _next(state, chain)
+    if following is None or not state.sections.is_consequence(following):
+        return False
+    left, right = following.sides[0].node, following.sides[1].node
+    is_of_angle = isinstance(left, Name | Call | Product | Power) and names(left) & frozenset(angles)
+    if not is_of_angle or names(right) & frozenset(angles) or state.sections.is_said_always(chain):
+        return False
+    waves = [list(_waves(side.node)) for side in chain.sides[k : k + 2]]
+    is_of_two_waves = all(len(own) == 1 for own in waves) and (
+        waves[0][0].argument == waves[1][0].argument and waves[0][0].function != waves[1][0].function
+    )
+    return is_of_two_waves or state.sections.is_condition(chain)
 
 
 def _is_where_derivative_vanishes(state: JudgingState, chain: Chain, k: int) -> bool:

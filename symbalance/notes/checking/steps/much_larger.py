@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Power, Product, names
+from symbalance.document.formula import Formula, Name, Number, Power, Product, Quotient, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.tree_values import sample_trees
@@ -42,11 +42,10 @@ def decide_much_larger(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
         return Decision(RANGE, "one is said to be much larger")
     if not plain.is_proved:
         return plain
-    sizes = [number_of(node, knowledge) for node in (left, right)]
-    small, large = (
-        sorted(abs(size) for size in sizes if size is not None) if None not in sizes else (1, 0)
-    )
-    if large >= MUCH * small:
+    ratio = number_of(Quotient(left, right), knowledge)
+    if ratio is None:  # λ² ≪ 1 of a crank ratio, which is below 1 and has no number here
+        return Decision(RANGE, "one is said to be much larger")
+    if abs(ratio) >= MUCH or MUCH * abs(ratio) <= 1:
         return Decision(PROVED, assumptions=plain.assumptions)
     return Decision(UNDECIDED, "larger, but not several times")
 

@@ -229,13 +229,15 @@ def _with_quantity_whole(state: JudgingState, chain: Chain, k: int) -> Chain:
     """Return a chain with a number and its unit as one number: 1600 cm³ puts nothing in for z and V_h."""
     right = chain.sides[k + 1]
     node = right.node
-    if not isinstance(node, Product) or quantity_of(right, state.document) is None:
+    quantity = quantity_of(right, state.document) if isinstance(node, Product) else None
+    if quantity is None or not isinstance(node, Product):
         return chain
-    number, unit = node.factors
-    if not isinstance(number, Number) or not isinstance(unit, Number):
+    number = node.factors[0]
+    if not isinstance(number, Number):
         return chain
-    place = None if number.last_place is None else number.last_place * unit.value
-    whole = replace(right, readings=(Number(number.value * unit.value, place, span=node.span),))
+    scale = quantity.value * quantity.scale / number.value if number.value else quantity.scale
+    place = None if number.last_place is None else number.last_place * scale
+    whole = replace(right, readings=(Number(number.value * scale, place, span=node.span),))
     return replace(chain, sides=(*chain.sides[: k + 1], whole, *chain.sides[k + 2 :]))
 
 

@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Product
+from symbalance.document.formula import Formula, Name, Negative, Number, Power, Product
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of, written_unit
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -27,6 +27,8 @@ ROUGHLY = Fraction(1, 50)
 """What a whole number of one digit may be off by, 1 in for 25 mm."""
 FEWEST_SHOWN = 20
 """Halves of its last place that a number behind = has at least, two digits: 32 kN for 31 955 N."""
+LARGEST_EXPONENT = 30
+"""Of a power of ten in a typed number."""
 SLACK = Fraction(3, 1000)
 """What a datum and its conversion may differ by: by a factor of three digits, 0.454 or 1.36."""
 _SPACED = re.compile(r"(?<=[0-9])(?:[ ~\u00a0\u2009\u202f]|\\,)(?=[0-9]{3}(?![0-9]))")
@@ -77,10 +79,26 @@ def _lone(node: Formula) -> Number | None:
     if isinstance(node, Negative):
         inner = _lone(node.operand)
         return None if inner is None else Number(-inner.value, inner.last_place)
-    if isinstance(node, Product) and len(node.factors) == 2:
-        number, unit = node.factors
-        return number if isinstance(number, Number) and isinstance(unit, Number) else None
+    if isinstance(node, Product):
+        number, *rest = node.factors
+        tens = _power_of_ten(rest[0]) if rest else None
+        if tens is not None and isinstance(number, Number):  # 2.979·10⁻³ is one number
+            place = None if number.last_place is None else number.last_place * tens
+            number, rest = Number(number.value * tens, place), rest[1:]
+        if not rest or (len(rest) == 1 and isinstance(rest[0], Number)):
+            return number if isinstance(number, Number) else None
+        return None
     return node if isinstance(node, Number) else None
+
+
+def _power_of_ten(node: Formula) -> Fraction | None:
+    """Return the value of a typed power of ten, 10⁻³, None for other formulas."""
+    if not isinstance(node, Power) or node.base != Number(Fraction(10)):
+        return None
+    exponent = _lone(node.exponent)
+    is_whole = exponent is not None and exponent.value.denominator == 1
+    is_printable = is_whole and exponent is not None and abs(exponent.value) <= LARGEST_EXPONENT
+    return Fraction(10) ** int(exponent.value) if is_printable and exponent else None
 
 
 def decide_conversion(chain: Chain, k: int, document: ReadNotes) -> Decision | None:

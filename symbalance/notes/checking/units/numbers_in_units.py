@@ -571,13 +571,18 @@ def _of_weights_in_lb(
     if quantity is None or names(right.node) or not _OF_FORCE.search(quantity.unit):
         return None
     behind = names_behind(left.node, {name: d.node for name, d in knowledge.definitions.items()})
-    values = (knowledge.definitions[name].node for name in behind if name in knowledge.definitions)
-    if not any(_WEIGHT_BEHIND.search(document.source(node.span)) for node in values):
+    values = [knowledge.definitions[name].node for name in behind if name in knowledge.definitions]
+    if not any(_WEIGHT_BEHIND.search(document.source(n.span)) or _is_in_pounds(n) for n in values):
         return None
     scale = quantity.scale * POUND / POUND_FORCE
     by_weight = Number(quantity.value * scale, 2 * quantity.half * scale)
     there = decide(left, Side((by_weight,), right.span), sign, knowledge)
     return replace(there, assumptions=(*there.assumptions, "lb is a force"))
+
+
+def _is_in_pounds(node: Formula) -> bool:
+    """Tell whether a value is counted in pounds, as the 3 · 0.5 of W = 3 · 0.5 = 1.5 lb."""
+    return any(part == Number(POUND) for part in walk(node))
 
 
 def _as_force(

@@ -26,8 +26,8 @@ _ANGLE = re.compile(
 )
 _SEPARATOR = re.compile(
     r"(?:\s|\\[,;: ]|~|\$|\\q?quad)*"
-    r"(?:\|\|?|[,;、，/&–—-]|(?<=[\s$])(?:and|und|et|bzw\.)(?=[\s$\\]))"
-    r"(?:\s|\\[,;: ]|~|\$|(?:and|und|et)(?=[\s$\\]))*"
+    r"(?:\|\|?|[,;、，/&–—-]|(?<=[\s$])(?:and|und|et|bzw\.|[eyi]|oraz|och|og|en)(?=[\s$\\])|と|および)"
+    r"(?:\s|\\[,;: ]|~|\$|(?:and|und|et|[eyi]|oraz|och|og|en)(?=[\s$\\]))*"
 )
 _STARTS = re.compile(r"(?<![\w.^{=\\(])(?:(?<=\$)|(?<=\{)|)(?=0|\\ang\{0)|(?:(?<=[($（])|(?<=\\\{))(?=0)")
 _OF_CRANKS = re.compile(
@@ -108,6 +108,8 @@ _FURTHEST, _TITLE = 60, 3
 A section that says its engine is in line has the last word."""
 _MARKS = re.compile(r"[\s$]|\\\\|\\hline")
 FEWEST = 2
+SMALLEST_ANGLE = 10
+"""Of a crank in degrees, where it stands without their sign."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,11 +268,18 @@ def _in_words(text: str) -> Iterator[CrankAngles]:
         if len(matches) < FEWEST:
             continue
         last = end
-        degrees = _degrees(matches)
+        is_of_cells = re.search(r"[|&]", text[start.start() : end]) is not None
+        degrees = None if is_of_cells and _has_small_number(matches) else _degrees(matches)
         before = _CLAUSE.split(text[max(0, start.start() - _BEFORE) : start.start()])[-1]
         behind = _CLAUSE.split(text[end : end + _BEHIND])[0]
         if degrees is not None and _is_of_cranks(before, behind, degrees):
             yield CrankAngles(degrees, _line_at(text, start.start()), start.start())
+
+
+def _has_small_number(matches: list[re.Match[str]]) -> bool:
+    """Tell whether one of some cells is a small number: in the row 0° | 1 | 0 the 1 is a cosine."""
+    bare = (m["number"] for m in matches if m["number"] and not m["degree"])
+    return any(0 < Fraction(number) < SMALLEST_ANGLE for number in bare)
 
 
 def _is_of_cranks(before: str, behind: str, degrees: tuple[Fraction, ...]) -> bool:

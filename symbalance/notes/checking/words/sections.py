@@ -86,6 +86,12 @@ _DATA = re.compile(
     re.IGNORECASE,
 )
 """A list of what holds for the page: "piston with pin and rings m = 0.41 kg" is no case."""
+_OF_DATA = re.compile(
+    r"(?<![^\W\d_])(?:data|notation|nomenclature|symbols|Daten|Bezeichnungen|Formelzeichen|Angaben|données|notations?"
+    r"|dati|notazioni?|simboli|datos|notación|símbolos)(?![^\W\d_])|諸元|記号|データ",
+    re.IGNORECASE,
+)
+"""Headings below which stands what holds for the whole page."""
 _NAMING = re.compile(
     rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
 )
@@ -98,9 +104,12 @@ _CONSEQUENCE = re.compile(
     r"|よって|したがって|従って|ゆえに|故に)[^.;:!?$=]{0,30}$",
     re.IGNORECASE,
 )
+_THIN_SPACE = re.compile(r"\\[;:,!]")
+"""Spaces typed with signs that end a sentence elsewhere: \\;\\Rightarrow\\; goes on."""
 _CONDITION = re.compile(
     r"(?:(?<![A-Za-z\\{])(?:where|when|whenever|if|setting|set|solve|solving|condition|equation|root|roots|extremum"
-    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum)"
+    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum"
+    r"|où|lorsque|quand|dove|quando|donde|cuando)"
     r"(?![A-Za-z])|条件|方程式|のとき)[^.;!?$=]{0,40}$",
     re.IGNORECASE,
 )
@@ -574,7 +583,14 @@ class Sections:
                 return self.case_end(line)  # in UT, α = 180°: what its lines say
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
-        return self.section_end(line) if is_premise else None
+        is_of_page = is_number and self._is_of_data(line)
+        end = len(self.lines) if is_of_page else self.section_end(line)
+        return end if is_premise else None
+
+    def _is_of_data(self, line: int) -> bool:
+        """Tell whether a line stands in the one section of a page that is headed as its data."""
+        own = [n for n in self.heading_lines if _OF_DATA.search(self.lines[n - 1])]
+        return len(own) == 1 and own[0] <= line <= self.section_end(own[0])
 
     @cached_property
     def running(self) -> RunningAngles:
@@ -594,7 +610,7 @@ class Sections:
 
     def is_consequence(self, chain: Chain) -> bool:
         """Tell whether a relation is introduced as what follows: therefore, hence, ⇒."""
-        return _CONSEQUENCE.search(self._text_before(chain)) is not None
+        return _CONSEQUENCE.search(_THIN_SPACE.sub(" ", self._text_before(chain))) is not None
 
     def starts_new_case(self, chain: Chain, earlier_line: int, name: str) -> bool | None:
         """Tell whether words before a letter's other value say that it belongs to another case.

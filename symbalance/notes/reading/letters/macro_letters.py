@@ -20,17 +20,33 @@ def letters_of(document: str) -> Callable[[str], str]:
 
     What is returned raises ReadingError for anything but one letter.
     """
+    expanded = _expander(document)
+    return lambda text: canonical_name(expanded(text))
+
+
+def formulas_of(document: str) -> Callable[[str], str]:
+    r"""Return what puts a formula of a document without its own macros.
+
+    >>> formulas_of(r"\newcommand{\dg}{^{\circ}}")(r"120\dg"), formulas_of("")(r"120\dg")
+    ('120^{\\circ}', '120\\dg')
+    """
+    expanded = _expander(document)
+    return lambda text: expanded(text).strip()
+
+
+def _expander(document: str) -> Callable[[str], str]:
+    """Return what expands a document's own macros in a text."""
     definitions = definitions_in(document) if "\\" in document else None
     preamble = "" if definitions is None else "".join(document[a:b] for a, b in definitions.spans)
     macros = set() if definitions is None else set(definitions.by_name)
 
-    def letter(text: str) -> str:
+    def expanded(text: str) -> str:
         if macros.isdisjoint(_COMMAND.findall(text)):
-            return canonical_name(text)
-        expanded = expand_macros(f"{preamble}\n{text}").source
-        return canonical_name(text if expanded is None else expanded.text)
+            return text
+        source = expand_macros(f"{preamble}\n{text}").source
+        return text if source is None else source.text
 
-    return letter
+    return expanded
 
 
 def letter_in(document: str, text: str) -> str | None:

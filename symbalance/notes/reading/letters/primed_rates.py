@@ -8,6 +8,7 @@ words "equation of motion". Then the same letter with one prime is its speed.
 from __future__ import annotations
 
 from symbalance.document.letters import GREEK_SIGN, NAME_OF_SIGN
+from symbalance.notes.reading.letters.primes_said import variable_of_primes
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
 from symbalance.text import lazy_patterns as re
 
@@ -49,7 +50,7 @@ def with_dots_for_primes(text: str) -> Rewritten | None:
     'Equation of motion: J·\\ddot{φ1}  + k(φ1 − φ2) = 0, speed \\dot{φ1} '
     >>> with_dots_for_primes("Reduced: J'' = J + J', the motion x = A cos ωt")
     """
-    if _TWICE.search(text) is None:
+    if _TWICE.search(text) is None or variable_of_primes(text) not in ("", "t"):
         return None
     primed = [match for match in _PRIMED.finditer(text) if _is_formula(text, match)]
     if not any(_order(match) == 2 for match in primed) or not _speaks_of_motion(text):

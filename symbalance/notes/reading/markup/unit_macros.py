@@ -20,6 +20,8 @@ _SETTING = re.compile(
     r"|\\[,;:! ]|[~{}\s]"
 )
 
+_DOT = re.compile(r"\s*(?:\{\\cdot\}|\\cdot(?![A-Za-z]))\s*")
+_BETWEEN = re.compile(r"(?<=[A-Za-z])\\,(?=[A-Za-z])")
 _DEGREES = (r"^\circ", "°", r"\degree", r"\textdegree")
 """What a macro of a page's own stands for that is the sign of degrees."""
 
@@ -31,6 +33,8 @@ def with_units_shown(text: str) -> str:
     '\\newcommand{\\mm}{\\,\\mathrm{mm}} $r = 40 mm$'
     >>> with_units_shown(r"\newcommand{\ein}[1]{\,\mathrm{#1}} $m = 0,5\ein{kg}$")
     '\\newcommand{\\ein}[1]{\\,\\mathrm{#1}} $m = 0,5     kg $'
+    >>> with_units_shown(r"\newcommand{\lbin}{\,\mathrm{lb{\cdot}in}} $M = 3\lbin$")
+    '\\newcommand{\\lbin}{\\,\\mathrm{lb{\\cdot}in}} $M = 3lb·in$'
     >>> with_units_shown(r"\newcommand{\dg}{^{\circ}} cranks at $0$, $120\dg$ and $240\dg$")
     '\\newcommand{\\dg}{^{\\circ}} cranks at $0$, $120°  $ and $240°  $'
     """
@@ -39,15 +43,18 @@ def with_units_shown(text: str) -> str:
     for match in _DEFINED.finditer(text):
         name, body = match["name"] or match["plain"], match["body"] or match["short"]
         is_upright = _UPRIGHT.search(body) is not None
-        shown = _SETTING.sub("", body)
+        shown = _SETTING.sub("", _DOT.sub("·", body))
+        if "\\," in body and scale_of(shown) is None and shown != "in":
+            shown = _SETTING.sub("", _DOT.sub("·", _BETWEEN.sub("·", body)))  # in\,lb
         if shown in _DEGREES and not match["argument"]:
             text = re.sub(rf"(?<=[0-9]){re.escape(name)}(?![A-Za-z])", "°".ljust(len(name)), text)
             continue
         if match["argument"]:
             if is_upright and shown == "#1":
                 text = _with_argument_shown(text, name)
-        elif is_upright and len(shown) <= len(name) and scale_of(shown) is not None:
-            text = re.sub(rf"(?<=[0-9]){re.escape(name)}(?![A-Za-z])", shown.rjust(len(name)), text)
+        elif is_upright and len(shown) <= len(name) and (shown == "in" or scale_of(shown) is not None):
+            behind = rf"(?:(?<=[0-9])|(?<=[0-9]\}})){re.escape(name)}(?![A-Za-z])"
+            text = re.sub(behind, shown.rjust(len(name)), text)
     return text
 
 

@@ -19,7 +19,7 @@ from symbalance.notes.reading.signs import (
     accented,
     dotted_numbered,
 )
-from symbalance.notes.reading.spellings.pointed_units import compound_unit
+from symbalance.notes.reading.spellings.pointed_units import compound_unit, unit_with_inches
 from symbalance.notes.reading.spellings.units_of_one_letter import sure_unit_behind
 from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
@@ -713,13 +713,15 @@ def sign_of_unit(words: str) -> str:
 
     >>> sign_of_unit("in.-lb"), sign_of_unit("N m"), sign_of_unit("inches"), sign_of_unit("a lever")
     ('lbf·inch', 'N m', 'inch', '')
+    >>> sign_of_unit("lb in"), sign_of_unit("in^2")
+    ('lbf·inch', 'inch^2')
     """
     for sign, spelled in _SPELLED:
         if re.fullmatch(spelled, words, re.IGNORECASE):
             return sign
     if words.rstrip(".") == "in":
         return "inch"
-    if compound := compound_unit(words):
+    if compound := compound_unit(words) or unit_with_inches(words):
         return compound
     return words if scale_of(words) is not None else ""
 

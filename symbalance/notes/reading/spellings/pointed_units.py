@@ -132,6 +132,31 @@ def compound_unit(words: str) -> str:
     return "".join(f"{j}{'lbf' if w == 'lb' and is_force else w}{p}" for j, w, p in parts)
 
 
+_SETTING = re.compile(r"\\(?:mathrm|text|textrm|mbox)(?![A-Za-z])\s?|\\left|\\right")
+_DOT = re.compile(r"\s*(?:\\cdot(?![A-Za-z])|[·⋅])\s*")
+_SPACE = re.compile(r"(?:\\[,;: !]|[~ ])+")
+_SPACED_DOT = re.compile(r"·*([·/^])·*")
+_OF_INCHES = re.compile(r"(?<![A-Za-z])(?:in|lbs?)(?![A-Za-z])")
+
+
+def unit_with_inches(words: str) -> str:
+    r"""Return a unit that has inches or pounds in signs, "" for others; its setting may be LaTeX's.
+
+    >>> unit_with_inches("lb in"), unit_with_inches(r"\mathrm{in}^{2}"), unit_with_inches("kg m")
+    ('lbf·inch', 'inch^2', '')
+    >>> unit_with_inches(r"\mathrm{lb}\cdot\mathrm{s^2/in}"), unit_with_inches("in the case")
+    ('lbf·s^2/inch', '')
+    """
+    if not _OF_INCHES.search(words):
+        return ""
+    plain = _SETTING.sub("", words).replace("{\\cdot}", "·").replace("{/}", "/")
+    plain = _DOT.sub("·", plain).replace("{", "").replace("}", "").strip(" ~")
+    plain = _SPACED_DOT.sub(r"\1", _SPACE.sub("·", plain)).strip("·")
+    alone = re.fullmatch(rf"in\.?(?P<power>{_POWER})?", plain)
+    sign = f"inch{alone['power'] or ''}" if alone else compound_unit(plain)
+    return sign if sign and scale_of(sign) is not None else ""
+
+
 _IS_WRITTEN_OUT = re.compile("[a-z]{4}")
 _HYPHENS = frozenset("-‐‑")
 _FEWEST = 2

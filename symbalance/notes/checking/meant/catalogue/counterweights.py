@@ -38,6 +38,12 @@ from symbalance.notes.checking.meant.catalogue.roles import (
 )
 from symbalance.notes.checking.meant.catalogue.strength import both
 
+_TWO_RODS = words(
+    r"(?-i:V)-?\s?(?:2|4|6|8|10|12|16)(?![0-9.,])|(?-i:V)-?(?:twins?|engines?|motor\w*|paar\w*)"
+    r"|two\s+(?:connecting\s+)?rods|zwei\s+pleuel|deux\s+bielles|due\s+bielle|dos\s+bielas|V型"
+)
+"""Engines with two rods on each pin: half of what swings with both is all that swings with one."""
+
 _MOMENT = letters("· U D u")
 """Letters of a mass times its arm: the product of two, or one."""
 _WEIGHT = words(
@@ -294,6 +300,17 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         mistakes=(share * rotating + reciprocating, rotating + reciprocating,
         rotating + cylinders * reciprocating),
         unless=words(r"100\s?\\?%\s+of\s+the\s+reciprocating|all\s+(?:of\s+)?the\s+reciprocating"),
+        never=_TWO_RODS,
+        stated=frozenset({"share", "cylinders"}),
+    ),
+    Quantity(  # half of what swings with two rods on a pin is that of one of them
+        "bob weight of a pin with two rods", letters("m M W B"), words(r"bob\s?-?weights?",
+            r"ersatzgewicht\w*", r"meistergewicht\w*"),
+        (rotating + reciprocating, rotating + cylinders * share * reciprocating,
+         rotating + share * reciprocating), ("edit",),
+        mistakes=(share * rotating + reciprocating, rotating + cylinders * reciprocating),
+        only=_TWO_RODS,
+        is_told_once=True,
         stated=frozenset({"share", "cylinders"}),
     ),
 )  # fmt: skip
