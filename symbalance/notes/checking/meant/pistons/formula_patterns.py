@@ -266,7 +266,8 @@ class FormulaPatterns:
                 if relation.sign not in "=≈" or not _is_series(node) or has_waves(chain.sides[k].node):
                     continue
                 outcomes = self._outcomes(node, Knowledge(), chain, "", None)
-                if own := frozenset(each.match.quarters for each in outcomes if each.match.is_whole):
+                plain = [each.match for each in outcomes if each.match.is_whole and not each.match.shift]
+                if own := frozenset(match.quarters for match in plain):  # a whole λ before may be a slip
                     starts.append((chain.lines[0], own))
         return starts
 
