@@ -34,6 +34,7 @@ from symbalance.notes.reading.letters.segments import with_segments
 from symbalance.notes.reading.letters.short_greek import with_short_greek
 from symbalance.notes.reading.letters.sigma_sums import with_sigma_sums
 from symbalance.notes.reading.letters.turned_scripts import with_scripts_in_order
+from symbalance.notes.reading.letters.typed_changes import with_typed_changes
 from symbalance.notes.reading.markup.ascii_math import with_ascii_math
 from symbalance.notes.reading.markup.frames_and_overlaps import with_frames_opened
 from symbalance.notes.reading.markup.joined_dollars import with_joined_dollars, with_units_between_dollars
@@ -203,6 +204,7 @@ def prepare(
         reader.apply(with_greek_words(reader.text, is_letter))
         reader.apply(with_extremes_apart(reader.text))
         reader.apply(with_components(reader.text))
+        reader.apply(with_typed_changes(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     if kind == "plain":
         reader.apply(with_points_left_out(reader.text))
