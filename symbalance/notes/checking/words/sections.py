@@ -609,7 +609,7 @@ class Sections:
         start = chain.start
         row = self.lines[chain.lines[0] - 1]
         text = self.document.text
-        if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain):
+        if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain) or self._names_its_row(chain):
             return True
         before = [
             other
@@ -773,6 +773,11 @@ class Sections:
         own = self.document.text[chain.sides[0].span[0] : chain.sides[0].span[1]].strip()
         has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
         return has_same and column > 1 and first != second and "=" not in first + second
+
+    def _names_its_row(self, chain: Chain) -> bool:
+        """Tell whether a relation is the first cell of a table's row, in any markup: κ = 1/2 & circle."""
+        own = cells_of(self.document.text).at(chain.start)
+        return own is not None and bool(own.others) and len(own.labels) == 1 and own.labels[0].text == own.rows
 
     def _is_in_cell_of_another_row(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a letter stands in its column of an earlier line, in another row of the table."""
