@@ -173,6 +173,7 @@ def prepare(
     if kind != "wiki":  # there two quotation marks begin italics
         reader.apply(with_dots_for_primes(reader.text))
     for rewrite in (
+        with_typed_changes,
         with_letters_unbraced,
         with_marked_letters,
         partial(with_imaginary_j, is_declared=imaginary_j),
@@ -204,7 +205,6 @@ def prepare(
         reader.apply(with_greek_words(reader.text, is_letter))
         reader.apply(with_extremes_apart(reader.text))
         reader.apply(with_components(reader.text))
-        reader.apply(with_typed_changes(reader.text))
         reader.apply_noted(with_compound_names(reader.text, is_letter))
     if kind == "plain":
         reader.apply(with_points_left_out(reader.text))

@@ -80,9 +80,13 @@ def decide_over_cylinders(
         decision = decide_over_cylinders(left, right, knowledge, decide)
         over_all = f"the sum runs over all {count}, which are spaced equally"
         return replace(decision, assumptions=(*decision.assumptions, over_all))
-    by_rule = _decide_by_rule(left, right, knowledge, decide)
-    if by_rule is not None:
-        return by_rule
+    return _decide_by_rule(left, right, knowledge, decide) or _decide_by_angles(
+        left, right, knowledge, decide
+    )
+
+
+def _decide_by_angles(left: Formula, right: Formula, knowledge: Knowledge, decide: Decide) -> Decision:
+    """Decide a relation with its sums written out for each set of angles that the words leave open."""
     is_unsaid = any(_is_without_index(part) for node in (left, right) for part in walk(node))
     listed = knowledge.crank_angles
     last: Decision | None = None
@@ -299,7 +303,7 @@ def _decide_by_rule(
 ) -> Decision | None:
     """Return the proof of a sum over j alone, where a rule spaces its angles: β_j = 120° (j - 1).
 
-    It is taken over one turn. What is not proved so may run over more, and is left to be judged otherwise.
+    It is taken over one turn. What is not proved so may run over more, and is judged otherwise.
     """
     (first, left_count), (second, right_count) = (_over_rule(node, knowledge) for node in (left, right))
     count = left_count or right_count
@@ -313,7 +317,7 @@ def _decide_by_rule(
 
 
 def _over_rule(node: Formula, knowledge: Knowledge) -> tuple[Formula, int]:
-    """Return a formula, its sums of waves of a letter with a rule in bounds, and how many terms they have."""
+    """Return a formula, its sums of waves of a ruled letter in bounds, and their number of terms."""
     parts = [_over_rule(part, knowledge) for part in children(node)]
     count = max((number for _, number in parts), default=0)
     node = with_children(node, tuple(part for part, _ in parts)) if count else node
@@ -325,7 +329,8 @@ def _over_rule(node: Formula, knowledge: Knowledge) -> tuple[Formula, int]:
         for name in indexed_letters(node.body, index)
         if name in knowledge.definitions and index in names(knowledge.definitions[name].node)
     ]
-    if len(ruled) != 1 or _stands_outside_waves({index, *indexed_letters(node.body, index)}, node.body):
+    of_index = {index, *indexed_letters(node.body, index)}
+    if len(ruled) != 1 or _stands_outside_waves(of_index, node.body):
         return node, count
     rule = knowledge.definitions[ruled[0]].node
     at = [substitute(rule, index, Number(Fraction(n))) for n in (1, 2, 3)]

@@ -32,7 +32,7 @@ from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.bars_and_means import unless_under_bars
 from symbalance.notes.checking.judging.by_own_words import unless_of_other_words
-from symbalance.notes.checking.judging.denied_relations import verdict_on_denied
+from symbalance.notes.checking.judging.denied_relations import SAID_WRONG, verdict_on_denied
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
@@ -364,6 +364,8 @@ class Judge:
         verdicts: list[Verdict] = []
         try:
             if not bindings and (denied := verdict_on_denied(self.state, chain)) is not None:
+                if denied.verdict == REFUTED and self.quotations.repeats_stated(chain):
+                    denied = describe(self.document, chain, 0, Decision(CONDITION, SAID_WRONG))
                 return [denied]
             self._judge(chain, bindings, verdicts)
             if not bindings:

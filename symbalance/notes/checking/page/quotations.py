@@ -75,6 +75,11 @@ class Quotations:
             for k, verdict in enumerate(verdicts[: len(chain.relations)])
         ] + verdicts[len(chain.relations) :]
 
+    def repeats_stated(self, chain: Chain) -> bool:
+        """Tell whether a chain quotes a formula that is only given above."""
+        above = self._repeated(chain, 0) if self.is_quoted(chain.sides[0].span[0]) else None
+        return above is not None and above.verdict in STATED
+
     def _only_stated(self, chain: Chain, k: int, verdict: Verdict) -> Verdict | None:
         """Return the verdict as something given, if it is proved by what the same formula says above."""
         if verdict.verdict not in PROVED_WORDS or verdict.assumption:
@@ -96,8 +101,10 @@ class Quotations:
             for chains in self.judged.values()
             for earlier, verdicts in chains
             for n, side in enumerate(earlier.sides[:-1])
-            if side.node == left and names(earlier.sides[n + 1].node) == letters
-            and letters and earlier.lines[0] < chain.lines[0]
+            if side.node == left
+            and names(earlier.sides[n + 1].node) == letters
+            and letters
+            and earlier.lines[0] < chain.lines[0]
         ]
         return max(near, key=lambda each: each[0], default=(0, None))[1]
 

@@ -117,7 +117,8 @@ def leave_quotation(
         return False
     same = [c for c in quoted if any(side.node == last.sides[1].node for side in c.sides[1:])]
     lines = sorted({c.lines[0] for c in (*same, last)})  # the letter's own line too, which is quoted
-    return any([state.definitions.forget_line(head.name, line) for line in lines])
+    known = [state.definitions.forget_line(head.name, line) for line in lines]
+    return any(known)
 
 
 def _last_above(state: JudgingState, chain: Chain, head: Name) -> Chain:

@@ -24,7 +24,10 @@ from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-_KIND = r"(?:force|couple|moment|torque|kraft|kräfte|paar|effort|couples?|fuerza|par|forza|coppia|momento|força|binário|力)"
+_KIND = (
+    r"(?:force|couple|moment|torque|kraft|kräfte|paar|effort|fuerza|par|forza|coppia|momento|força|binário"
+    r"|力)"
+)
 _ORDER = r"(?:order|ordnung|ordre|orden|ordine|ordem|次)"
 _OF_AN_ORDER = re.compile(rf"{_KIND}.{{0,40}}{_ORDER}|{_ORDER}.{{0,40}}{_KIND}", re.IGNORECASE)
 """What a letter is declared as that is of each engine by itself: couple of the second order."""
@@ -39,11 +42,11 @@ def leave_engine(state: JudgingState, chain: Chain, k: int) -> bool:
     """
     left, line = chain.sides[k].node, chain.lines[0]
     is_number = not names(chain.sides[-1].node)
-    is_of_each = is_number and len(chain.sides) > 2 and all(isinstance(s.node, Name) for s in chain.sides[:-1])
-    if isinstance(left, Name) and (k or is_of_each):
-        name = left.name
-    else:
-        name = "" if k else _measured(left)
+    is_of_each = (
+        is_number and len(chain.sides) > 2 and all(isinstance(s.node, Name) for s in chain.sides[:-1])
+    )
+    is_lone = isinstance(left, Name) and bool(k or is_of_each)
+    name = left.name if isinstance(left, Name) and is_lone else "" if k else _measured(left)
     is_known = False if k or name else _leave_sizes(state, chain)
     declared = state.declarations.symbols_at(line).get(name, "") if name else ""
     if not name or (declared and not _OF_AN_ORDER.search(declared)):

@@ -1,8 +1,9 @@
 """Sizes that are chosen in the place of what was found: d = 2.48 in, say 2½ in.
 
-A shaft has to be at least so thick, and is made in the next standard size. The words stand before the
-size ("adopt", "gewählt wird", "on prendra") or behind it ("would be adopted", を採用する). "Take" and "say"
-tell what is given too: behind them a size is chosen only if it is a rounder number nearby.
+A shaft has to be at least so thick, and is made in the next standard size. The words stand before
+the size ("adopt", "gewählt wird", "on prendra") or behind it ("would be adopted", を採用する).
+"Take" and "say" tell what is given too: behind them a size is chosen only if it is a rounder number
+nearby.
 """
 
 from __future__ import annotations
@@ -66,7 +67,10 @@ def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
     head, text = chain.sides[0].node, state.document.text
     if k or not isinstance(head, Name) or names(chain.sides[1].node):
         return False
-    before, behind = text[max(chain.start - _REACH, 0) : chain.start], text[chain.end : chain.end + _REACH]
+    before, behind = (
+        text[max(chain.start - _REACH, 0) : chain.start],
+        text[chain.end : chain.end + _REACH],
+    )
     behind = behind[_unit_length(behind) :]
     is_chosen = _CHOOSES.search(before) is not None or _CHOSEN.match(behind) is not None
     is_taken = _TAKES.search(before) is not None or _TAKEN.match(behind) is not None

@@ -46,7 +46,7 @@ from symbalance.notes.checking.units.dimensions import (
     written_unit,
 )
 from symbalance.notes.checking.units.own_units import is_per_minute
-from symbalance.notes.reading.equations import ReadNotes, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY, scale_of
@@ -300,7 +300,9 @@ def puts_in_as_typed(left: Side, right: Side, document: ReadNotes, knowledge: Kn
     return False
 
 
-def decide_in_one_unit(chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge) -> Decision | None:
+def decide_in_one_unit(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
     """Return the proof that an arithmetic has the numbers of letters that are all in one unit.
 
     With I_1 = 12 and I_2 = 60 lb. in. sec.², I_1 I_2/(I_1 + I_2) = 720/72, its unit left out.

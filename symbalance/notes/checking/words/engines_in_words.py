@@ -77,9 +77,12 @@ _RADIAL = re.compile(
 _IN_ROW = re.compile(r"in-?\s?line|straight|reihe|直列|in\s+linea|en\s+l[ií]|em\s+linha", re.IGNORECASE)
 _HEAD = 400
 """Characters at the beginning of a page that say what it is about."""
-_BOXER = re.compile(r"b[oó]xer|flat[-\s](?:twin|two|four|six|2|4|6)|(?<!horizontally )opposed|horizontally"
-                    r"|水平対向|à plat|gegenüberliegend|opuestos|contrapuestos|opposés|contrapposti|opostos|contrapostos"
-                    r"|przeciwsobn|protilehl|оппозит", re.IGNORECASE)  # fmt: skip
+_BOXER = re.compile(
+    r"b[oó]xer|flat[-\s](?:twin|two|four|six|2|4|6)|(?<!horizontally )opposed|horizontally|水平対向"
+    r"|à plat|gegenüberliegend|opuestos|contrapuestos|opposés|contrapposti|opostos|contrapostos"
+    r"|przeciwsobn|protilehl|оппозит",
+    re.IGNORECASE,
+)
 _ODD = re.compile(
     r"cross[\s-]?plane|クロスプレーン|T-?plane|big[\s-]?bang|uneven|odd[\s-]?fire|ungleichm|不等"
     r"|two[\s-]?plane"
@@ -138,7 +141,7 @@ _SAID_OF_IT = re.compile(
     r"|donde|en\s+el\s+(?:que|cual)|dove|in\s+cui|onde|em\s+que)(?![^\W\d_])[\s$`\\(]{1,4}(?=[^.;\n]{1,40}[=≈])",
     re.IGNORECASE,
 )
-"""Behind an engine whose formula follows, whatever it is compared with: unlike the four, where F_2 = 4 F."""
+"""Behind an engine that is only compared with, and whose formula follows: the four, where F = …"""
 _SUPPOSED = re.compile(
     r"(?<![A-Za-z])(?:instead|would|wäre|würde|hätte|serait|aurait|sarebbe|sería)(?![A-Za-z])"
 )

@@ -300,7 +300,9 @@ LONGEST_SENTENCE = 160
 LONGEST_INTRODUCTION = 60
 """Characters before a relation in which such a word is looked for."""
 _RANKS = ("part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph")
-_MARK_OF_LEVEL = re.compile(rf"\s*(?:(?P<marks>[#=*]{{1,6}})[ \w]|\\(?P<rank>{'|'.join(_RANKS)})\*?\s*\{{)")
+_MARK_OF_LEVEL = re.compile(
+    rf"\s*(?:(?P<marks>[#=*]{{1,6}})[ \w]|\\(?P<rank>{'|'.join(_RANKS)})\*?\s*\{{)"
+)
 _DEEPEST = 99
 """Deeper than any heading."""
 
@@ -777,7 +779,12 @@ class Sections:
     def _names_its_row(self, chain: Chain) -> bool:
         """Tell whether a relation is the first cell of a table's row, in any markup: κ = 1/2 & circle."""
         own = cells_of(self.document.text).at(chain.start)
-        return own is not None and bool(own.others) and len(own.labels) == 1 and own.labels[0].text == own.rows
+        return (
+            own is not None
+            and bool(own.others)
+            and len(own.labels) == 1
+            and own.labels[0].text == own.rows
+        )
 
     def _is_in_cell_of_another_row(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a letter stands in its column of an earlier line, in another row of the table."""

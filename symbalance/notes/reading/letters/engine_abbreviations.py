@@ -23,9 +23,11 @@ _NAMES_POWER = re.compile(
     r"(?:indicated|brake|friction|shaft)\s+(?:horse[\s-]?)?power|horse[\s-]?power", re.IGNORECASE
 )
 _BARE = re.compile(
-    r"(?P<rate>(?<=[A-Za-z0-9)][*·×])(?:rpm|RPM)(?![A-Za-z0-9_^.])|(?<=[A-Za-z)]/)(?<![0-9] [a-zA-Z]/)"
-    r"(?<![0-9] [a-zA-Z]{2}/)(?:rpm|RPM)(?![A-Za-z0-9_^])|(?<![A-Za-z0-9_. ])(?:rpm|RPM)(?=[*·×][A-Za-z0-9(]))"
-    r"|(?P<horses>(?<=[*·×/(])(?:HP|hp)(?![A-Za-z0-9_^.])(?=[ \t]?[-+*·×/=)])|(?<![A-Za-z0-9_.])HP(?=[ \t]?=[ \t]?[A-Za-z0-9(]))"
+    r"(?P<rate>(?<=[A-Za-z0-9)][*·×])(?:rpm|RPM)(?![A-Za-z0-9_^.])"
+    r"|(?<=[A-Za-z)]/)(?<![0-9] [a-zA-Z]/)(?<![0-9] [a-zA-Z]{2}/)(?:rpm|RPM)(?![A-Za-z0-9_^])"
+    r"|(?<![A-Za-z0-9_. ])(?:rpm|RPM)(?=[*·×][A-Za-z0-9(]))"
+    r"|(?P<horses>(?<=[*·×/(])(?:HP|hp)(?![A-Za-z0-9_^.])(?=[ \t]?[-+*·×/=)])"
+    r"|(?<![A-Za-z0-9_.])HP(?=[ \t]?=[ \t]?[A-Za-z0-9(]))"
 )
 """Words that stand as factors beside a typed sign: 5252*HP/rpm, T*rpm/5252; or a power left of =."""
 _TYPED = re.compile(r"[A-Za-z0-9)]\*[A-Za-z0-9(]")

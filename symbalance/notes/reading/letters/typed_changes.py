@@ -32,6 +32,8 @@ def with_typed_changes(text: str) -> Rewritten | None:
     if not letters or _CALCULUS.search(text):
         return None
     rewriter = Rewriter(text)
-    for match in re.finditer(rf"(?<![A-Za-z0-9\\_^{{}}'’])d(?=[{''.join(sorted(letters))}](?![A-Za-z]))", text):
+    for match in re.finditer(
+        rf"(?<![A-Za-z0-9\\_^{{}}'’])d(?=[{''.join(sorted(letters))}](?![A-Za-z]))", text
+    ):
         rewriter.replace(*match.span(), "Δ")
     return rewriter.finish()

@@ -62,7 +62,10 @@ _PLUS_A_THING = re.compile(
     re.IGNORECASE,
 )
 """What a sentence adds to a result: the mass m = 4.5 kg plus the centrifugal force of the pin."""
-_NUMBER_LAST = re.compile(r"[=≈]\s*[-−]?[0-9][0-9.,]*[$\]\s]*(?:\\[,;: ])?\s*(?:\\(?:mathrm|text)\s*\{[^{}]{1,16}\}\S{0,5}|[^\W\d_]{0,4}[²³]?)[$\]\s]*$")
+_NUMBER_LAST = re.compile(
+    r"[=≈]\s*[-−]?[0-9][0-9.,]*[$\]\s]*(?:\\[,;: ])?\s*"
+    r"(?:\\(?:mathrm|text)\s*\{[^{}]{1,16}\}\S{0,5}|[^\W\d_]{0,4}[²³]?)[$\]\s]*$"
+)
 
 
 def cut_error(place: int, rest: str) -> ReadingError:

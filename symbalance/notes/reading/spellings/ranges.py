@@ -15,7 +15,11 @@ _NUMBER = (
     r"[-−]?(?:[0-9]+(?:\.[0-9]+|\{,\}[0-9]+)?(?:\s*(?:\\pi(?![A-Za-z])|π))?|\\pi(?![A-Za-z])|π)"
     r"(?:\s?°|\^\\circ(?![A-Za-z])|\^\{\\circ\})?"
 )
-_UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|[^\S\n]?(?:(?:mm|cm|rpm|N|m|kg|kN|Nm|Hz|bar|[kM]Pa|kW|lbs?|ft|psi|hp|s|(?:[1U]|rev|tr|r|giri|ot)/min)(?![A-Za-z0-9/^²³·])|r\.\s?p\.\s?m\.?|min(?:⁻¹|\^\{?[-−]1\}?)|in\.(?=[\s,;)]|$)))"
+_UNIT = (
+    r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}"
+    r"|[^\S\n]?(?:(?:mm|cm|rpm|N|m|kg|kN|Nm|Hz|bar|[kM]Pa|kW|lbs?|ft|psi|hp|s|(?:[1U]|rev|tr|r|giri|ot)/min)"
+    r"(?![A-Za-z0-9/^²³·])|r\.\s?p\.\s?m\.?|min(?:⁻¹|\^\{?[-−]1\}?)|in\.(?=[\s,;)]|$)))"
+)
 _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
 _NOT_BEFORE_FORMULA = (

@@ -76,7 +76,8 @@ from symbalance.text import lazy_patterns as re
 _ANOTHER = re.compile(
     r"(?<!un)balanc|counter-?weight|residu|remain|left over|compensat|(?<!un)ausgeglichen|ausgleich"
     r"|\brest(?:kraft|moment|lich|anteil|\b)|gegengewicht|釣合|つり合|釣り合|残|équilibr|contrepoids|equilibr|contrapeso"
-    r"|\bV-?\d|\bV-?(?:engine|motor|twin)|V型|V形|\bbanks?\b|\bradial engine|sternmotor|星型|星形|b[oó]xer"
+    r"|\bV-?\d|\bV-?(?:engine|motor|twin)|V型|V形|\bbanks?\b|\bradial engine|sternmotor|星型|星形"
+    r"|b[oó]xer"
     r"|opposed|水平対向"
     r"|cylinders\b|zylindern\b|(?:aller|beider|zwei|drei|vier|sechs|acht) zylinder|\w+-cylinder"
     r"|[2-9２-９二三四六八]\s?気筒"
