@@ -34,6 +34,7 @@ from symbalance.notes.reading.letters.segments import with_segments
 from symbalance.notes.reading.letters.short_greek import with_short_greek
 from symbalance.notes.reading.letters.sigma_sums import with_sigma_sums
 from symbalance.notes.reading.letters.turned_scripts import with_scripts_in_order
+from symbalance.notes.reading.letters.typed_changes import with_typed_changes
 from symbalance.notes.reading.markup.ascii_math import with_ascii_math
 from symbalance.notes.reading.markup.frames_and_overlaps import with_frames_opened
 from symbalance.notes.reading.markup.joined_dollars import with_joined_dollars, with_units_between_dollars
@@ -174,6 +175,7 @@ def prepare(
     if kind != "wiki":  # there two quotation marks begin italics
         reader.apply(with_dots_for_primes(reader.text))
     for rewrite in (
+        with_typed_changes,
         with_letters_unbraced,
         with_marked_letters,
         partial(with_imaginary_j, is_declared=imaginary_j),

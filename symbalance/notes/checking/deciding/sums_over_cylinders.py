@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from math import isclose, pi
 
 from symbalance.document.formula import (
@@ -79,6 +80,13 @@ def decide_over_cylinders(
         decision = decide_over_cylinders(left, right, knowledge, decide)
         over_all = f"the sum runs over all {count}, which are spaced equally"
         return replace(decision, assumptions=(*decision.assumptions, over_all))
+    return _decide_by_rule(left, right, knowledge, decide) or _decide_by_angles(
+        left, right, knowledge, decide
+    )
+
+
+def _decide_by_angles(left: Formula, right: Formula, knowledge: Knowledge, decide: Decide) -> Decision:
+    """Decide a relation with its sums written out for each set of angles that the words leave open."""
     is_unsaid = any(_is_without_index(part) for node in (left, right) for part in walk(node))
     listed = knowledge.crank_angles
     last: Decision | None = None
@@ -290,6 +298,58 @@ def _over_one_turn(node: Formula, knowledge: Knowledge) -> tuple[Formula, int]:
     return replace(node, lower=Number(Fraction(0)), upper=Number(Fraction(own - 1))), own
 
 
+def _decide_by_rule(
+    left: Formula, right: Formula, knowledge: Knowledge, decide: Decide
+) -> Decision | None:
+    """Return the proof of a sum over j alone, where a rule spaces its angles: β_j = 120° (j - 1).
+
+    It is taken over one turn. What is not proved so may run over more, and is judged otherwise.
+    """
+    (first, left_count), (second, right_count) = (_over_rule(node, knowledge) for node in (left, right))
+    count = left_count or right_count
+    if not count or {left_count, right_count} - {0, count}:
+        return None
+    there = decide(first, second)
+    if not there.is_proved:
+        return None
+    over_all = f"the sum runs over all {count}, which are spaced equally"
+    return replace(there, assumptions=(*there.assumptions, over_all))
+
+
+def _over_rule(node: Formula, knowledge: Knowledge) -> tuple[Formula, int]:
+    """Return a formula, its sums of waves of a ruled letter in bounds, and their number of terms."""
+    parts = [_over_rule(part, knowledge) for part in children(node)]
+    count = max((number for _, number in parts), default=0)
+    node = with_children(node, tuple(part for part, _ in parts)) if count else node
+    if not isinstance(node, Summation) or node.index is None or node.lower or node.upper:
+        return node, count
+    index = node.index.name
+    ruled = [
+        name
+        for name in indexed_letters(node.body, index)
+        if name in knowledge.definitions and index in names(knowledge.definitions[name].node)
+    ]
+    of_index = {index, *indexed_letters(node.body, index)}
+    if len(ruled) != 1 or _stands_outside_waves(of_index, node.body):
+        return node, count
+    rule = knowledge.definitions[ruled[0]].node
+    at = [substitute(rule, index, Number(Fraction(n))) for n in (1, 2, 3)]
+    steps = [Sum((later, Negative(earlier))) for earlier, later in pairwise(at)]
+    own = [_parts_of_a_turn(step, knowledge) for step in steps]
+    if not own[0] or own[0] != own[1]:
+        return node, count
+    return replace(node, lower=Number(Fraction(1)), upper=Number(Fraction(own[0]))), own[0]
+
+
+def _stands_outside_waves(letters: set[str], node: Formula) -> bool:
+    """Tell whether one of some letters stands in a formula outside its sines and cosines."""
+    if isinstance(node, Call) and node.function in ("sin", "cos"):
+        return False
+    if isinstance(node, Name):
+        return node.name in letters
+    return any(_stands_outside_waves(letters, part) for part in children(node))
+
+
 def _stands_elsewhere(index: Name, node: Formula, step: Name) -> bool:
     """Tell whether an index stands outside the angles k α of sines, cosines and powers of e."""
     if node == index:
@@ -301,7 +361,7 @@ def _stands_elsewhere(index: Name, node: Formula, step: Name) -> bool:
     return any(_stands_elsewhere(index, part, step) for part in children(node))
 
 
-def _parts_of_a_turn(angle: Name, knowledge: Knowledge) -> int:
+def _parts_of_a_turn(angle: Formula, knowledge: Knowledge) -> int:
     """Return into how many equal parts an angle divides the turn, 0 where it does not."""
     node = _with_values(angle, knowledge)
     points = [] if names(node) else sample_trees([node], knowledge.meaning, 1)

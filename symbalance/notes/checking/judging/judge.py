@@ -32,7 +32,7 @@ from symbalance.notes.checking.declared.sidecar import Binding, Declarations
 from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.judging.bars_and_means import unless_under_bars
 from symbalance.notes.checking.judging.by_own_words import unless_of_other_words
-from symbalance.notes.checking.judging.denied_relations import verdict_on_denied
+from symbalance.notes.checking.judging.denied_relations import SAID_WRONG, verdict_on_denied
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
@@ -66,9 +66,9 @@ from symbalance.notes.checking.steps.angle_equations import lines_of_angles, unl
 from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
-    leave_choice,
     leave_cycle,
     leave_product_given_anew,
+    leave_product_made,
     leave_quotation,
 )
 from symbalance.notes.checking.steps.another_case import (
@@ -97,6 +97,7 @@ from symbalance.notes.checking.steps.another_place import (
 )
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
+from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.cosines_of_no_angle import unless_of_no_angle
@@ -190,6 +191,7 @@ from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_de
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
 from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
+from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
@@ -393,8 +395,12 @@ class Judge:
         verdicts: list[Verdict] = []
         try:
             if not bindings and (denied := verdict_on_denied(self.state, chain)) is not None:
+                if denied.verdict == REFUTED and self.quotations.repeats_stated(chain):
+                    denied = describe(self.document, chain, 0, Decision(CONDITION, SAID_WRONG))
                 return [denied]
             self._judge(chain, bindings, verdicts)
+            if not bindings:
+                verdicts = self.quotations.without_echoes(chain, verdicts)
             self.quotations.note(chain, verdicts)
         except SymbalanceError:
             raise  # a declaration that cannot be used
@@ -646,8 +652,16 @@ class Judge:
         return describe(self.document, chain, k, Decision(UNDECIDED, reason))
 
     def _with_numbers_of_minutes(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
-        """Return the verdict on a relation; N² = 2.543·10⁸ has the number of revolutions per minute."""
+        """Return the verdict on a relation; N² = 2.543·10⁸ has the number of revolutions per minute.
+
+        So has d³ = 15.28 the number of the inches that its root d = 2.48 in is given in.
+        """
         verdict = self._link_in_scope(chain, k, sound, bad)
+        if verdict.verdict in (REFUTED, CONTRADICTION, UNDECIDED):
+            known = self.state.knowledge(chain.lines[0])
+            of_root = decide_root_with_unit(self.state, chain, k, known)
+            if of_root is not None:
+                return describe(self.document, chain, k, of_root)
         if verdict.verdict != CONTRADICTION or not (bare := without_minutes(chain, k, self.document)):
             return verdict
         counted = self._link_in_scope(bare, k, sound, bad)
@@ -690,11 +704,12 @@ class Judge:
         verdict = self._case_of_other_numbers(chain, k, verdict) or verdict
         is_open = verdict.verdict == UNDECIDED and (verdict.reason or "").startswith("with line")
         is_against = verdict.verdict in (REFUTED, CONTRADICTION)
-        is_for_lack = verdict.verdict == UNDECIDED and (verdict.reason or "").endswith(DECLARE_IT)
+        is_undecided = verdict.verdict == UNDECIDED
+        is_for_lack = is_undecided and (verdict.reason or "").endswith(DECLARE_IT)
         if (
             ((is_against or is_open) and leave_cycle(self.state, chain, k))
             or (is_for_lack and leave_engine(self.state, chain, k))
-            or ((is_against or is_for_lack) and self._leave_quotation(chain, k, is_open=is_for_lack))
+            or ((is_against or is_undecided) and self._leave_quotation(chain, k, is_open=is_for_lack))
             or ((is_against or is_for_lack) and leave_formula_of_opening(self.state, chain, k))
             or ((is_against or is_for_lack) and leave_formula_of_condition(self.state, chain, k))
             or (
@@ -704,6 +719,7 @@ class Judge:
                     or leave_number_of_place(self.state, chain, k)
                     or leave_condition_of_place(self.state, chain)
                     or leave_body(self.state, chain, k)
+                    or leave_product_made(self.state, chain, k)
                     or leave_choice(self.state, chain, k)
                     or leave_engine(self.state, chain, k)
                     or leave_cranks(self.state, chain, k)

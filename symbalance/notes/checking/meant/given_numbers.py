@@ -13,7 +13,18 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, Sum, names
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Sum,
+    names,
+    walk,
+)
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.letters_behind import names_behind
@@ -180,7 +191,8 @@ def _interval(value: Formula, places: Fraction, part: Fraction = Fraction(0)) ->
     bare = value.operand if isinstance(value, Negative) else value
     if not numbers:  # of degrees to the degree, of a whole number that it is exact
         angle = bare.factors[0] if isinstance(bare, Product) else None
-        is_angle = isinstance(angle, Number)
+        turns = isinstance(bare, Product) and any(isinstance(part, Constant) for part in walk(bare))
+        is_angle = isinstance(angle, Number) and turns  # 2½ in is a product too, of the inch
         numbers = [n for n in (angle, bare) if isinstance(n, Number)]
         place = Fraction(1) if is_angle else Fraction(0)
     else:

@@ -104,7 +104,7 @@ _ORDER_WORD = re.compile(
     re.IGNORECASE,
 )
 SPEAKS_OF_MORE = re.compile(
-    r"cylinders|cilindros|cilindri\b|cylindres|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|boxer|lanchester|rotating\s+(?:vector|mass)"
+    r"cylinders|cilindros|cilindri\b|cylindres|zylindern?(?![A-Za-z])|気筒|\bbanks?\b|b[oó]xer|lanchester|rotating\s+(?:vector|mass)"
     r"|vectors?\b|zeiger"
     r"|twin|pair|paar|\btwo\b|\bzwei|both|beide|half|hälfte|balanc|ausgleich|釣合|バランス|resultant"
     r"|resultier|total|gesamt|\bsum\b|summe|合力|合計|component"

@@ -98,7 +98,7 @@ _PART = re.compile(
     r"\b(?:two|three|four|five|six|eight|twelve)\b(?![- ]stroke)|\bboth\b|\beach\b|\bpairs?\b"
     r"|\btwice\b|twin"
     r"|per cylinder|pro zylinder"
-    r"|\bdoubled?\b|\bhalf\b|\bhalv|\bmean\b|\baverage|amplitude|alternating|boxer|\bV\d|together"
+    r"|\bdoubled?\b|\bhalf\b|\bhalv|\bmean\b|\baverage|amplitude|alternating|b[oó]xer|\bV\d|together"
     r"|\bequal\b"
     r"|\bzwei(?!takt|te)|\bbeide[nrs]?\b|\bdrei|\bvier(?!takt|te)|\bsechs(?!te)|\bacht(?!e)|\bjede[rsnm]?\b|\bje\b"
     r"|\bdoppel"

@@ -1,7 +1,8 @@
 """Lines that quote what stands above: > F2 = 4318 N in the answer to a mail claims nothing anew.
 
 A quoted relation that repeats one above has the verdict of that one, and says which line it repeats; what
-is quoted and stands nowhere above is judged as any other line.
+is quoted and stands nowhere above is judged as any other line. Nor does a quotation prove anything: what
+is true only because the same formula is given above stays given.
 """
 
 from __future__ import annotations
@@ -10,10 +11,10 @@ from bisect import bisect_right
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from symbalance.document.formula import Formula
+from symbalance.document.formula import Formula, names
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
-from symbalance.notes.checking.verdicts import BAD, CONTRADICTION, Verdict
+from symbalance.notes.checking.verdicts import BAD, CONTRADICTION, PROVED_WORDS, STATED, Verdict
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
 
@@ -64,6 +65,48 @@ class Quotations:
         if len(above) < len(repeated) or not any(verdict.verdict in BAD for verdict in above):
             return None
         return [self._verdict(chain, k, verdict) for k, verdict in enumerate(above)]
+
+    def without_echoes(self, chain: Chain, verdicts: list[Verdict]) -> list[Verdict]:
+        """Return the verdicts on a chain; what is proved by a formula that it only quotes is given."""
+        if not verdicts or not self.is_quoted(chain.sides[0].span[0]):
+            return verdicts
+        return [
+            verdict if (above := self._only_stated(chain, k, verdict)) is None else above
+            for k, verdict in enumerate(verdicts[: len(chain.relations)])
+        ] + verdicts[len(chain.relations) :]
+
+    def repeats_stated(self, chain: Chain) -> bool:
+        """Tell whether a chain quotes a formula that is only given above."""
+        above = self._repeated(chain, 0) if self.is_quoted(chain.sides[0].span[0]) else None
+        return above is not None and above.verdict in STATED
+
+    def _only_stated(self, chain: Chain, k: int, verdict: Verdict) -> Verdict | None:
+        """Return the verdict as something given, if it is proved by what the same formula says above."""
+        if verdict.verdict not in PROVED_WORDS or verdict.assumption:
+            return None
+        above = self._repeated(chain, k) or self._in_other_signs(chain, k)
+        if above is None or above.verdict not in STATED:
+            return None
+        stated = Decision(above.verdict, f"quotes line {above.line}")
+        return describe(self.document, chain, k, stated)
+
+    def _in_other_signs(self, chain: Chain, k: int) -> Verdict | None:
+        """Return the verdict on the nearest formula above of the same letter in the same letters.
+
+        F = m r ω² (1 + r/l) may be quoted as F = (1 + r/l) m r ω².
+        """
+        left, letters = chain.sides[k].node, names(chain.sides[k + 1].node)
+        near = [
+            (earlier.lines[0], verdicts[n])
+            for chains in self.judged.values()
+            for earlier, verdicts in chains
+            for n, side in enumerate(earlier.sides[:-1])
+            if side.node == left
+            and names(earlier.sides[n + 1].node) == letters
+            and letters
+            and earlier.lines[0] < chain.lines[0]
+        ]
+        return max(near, key=lambda each: each[0], default=(0, None))[1]
 
     def _repeated(self, chain: Chain, k: int) -> Verdict | None:
         """Return the worst verdict on what the k-th relation of a chain repeats from above."""

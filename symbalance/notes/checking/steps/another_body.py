@@ -17,19 +17,15 @@ _DENIES = re.compile(
     r"(?<![A-Za-z])(?:no[,.!]|wrong|not\s+(?:right|correct|quite)|mistaken?|error|slip|lost"
     r"|forgot(?:ten)?|missing"
     r"|should\s+(?:be|read)|nein|falsch|nicht\s+(?:richtig|ganz)|stimmt\s+nicht|fehl(?:t|er)"
-    r"|vergessen)(?![A-Za-z])"
-    r"|違|誤|間違|忘れ",
+    r"|vergessen|umgekehrt|verkehrt|auf\s+dem\s+kopf|upside[\s-]+down|inverted|(?:the\s+)?(?:wrong|other)\s+way"
+    r"|faux|fausse|erreur|(?:oublié|inversé|trompé)e?s?|à\s+l['’]envers|errore|sbagliat[oa]|errat[oa]"
+    r"|dimenticat[oa]|manca|rovesciat[oa]|capovolt[oa]|equivocad[oa]|incorrect[oa]|erróne[oa]|invertid[oa]"
+    r"|falta|olvidad[oa]|al\s+revés)(?![A-Za-z])"
+    r"|違|誤|間違|忘れ|逆",
     re.IGNORECASE,
 )
 
 
-_CHOICE = re.compile(
-    r"(?<![A-Za-z])(?:partial|compromise|practical|usual|common|alternative|teilweise|übliche?"
-    r"|praktische?)"
-    r"(?:\s+(?:solution|choice|value|design|arrangement|Lösung|Wahl|Wert)){0,2}\s+(?:is\s+|ist\s+)?$",
-    re.IGNORECASE,
-)
-"""Before a value that is chosen in the place of what a condition would ask for."""
 _WOULD = re.compile(r"(?<![A-Za-zäöü])(?:would|could|might|würden?|müssten?|könnten?)(?![A-Za-zäöü])")
 _WITH = re.compile(
     r"(?:(?<![^\W\d_])(?:with|if|mit|wenn|avec|si|con|se)|(?:^|[.;:,(]\s{1,3}|\n)(?:for|für|pour|per|para)"
@@ -39,18 +35,9 @@ _WITH = re.compile(
 """Words right before a product that is made so, whatever would be needed."""
 
 
-def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
-    """Forget what a condition gives a letter, where words say that another value is chosen."""
-    head = chain.sides[0].node
-    before = state.document.text[max(chain.start - 60, 0) : chain.start]
-    if not k and not isinstance(head, Name):
-        return _leave_product(state, chain)
-    if k or not isinstance(head, Name) or not _CHOICE.search(before):
-        return False
-    lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
-    lines |= {p.line for p in state.definitions.premises if p.left == head}
-    known = [state.definitions.forget_line(head.name, line) for line in sorted(lines)]
-    return any(known)
+def leave_product_made(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Forget what a product would have to be, where words say that it is made another one."""
+    return not k and not isinstance(chain.sides[0].node, Name) and _leave_product(state, chain)
 
 
 def leave_product_given_anew(state: JudgingState, chain: Chain, k: int) -> None:
@@ -126,8 +113,12 @@ def leave_quotation(
     if last is None or not is_quoted(last.start):
         return False
     between = state.document.text[last.end : chain.start]
-    is_denied = is_open or _DENIES.search(between) is not None
-    return is_denied and state.definitions.forget_line(head.name, last.lines[0])
+    if not is_open and not _DENIES.search(between):
+        return False
+    same = [c for c in quoted if any(side.node == last.sides[1].node for side in c.sides[1:])]
+    lines = sorted({c.lines[0] for c in (*same, last)})  # the letter's own line too, which is quoted
+    known = [state.definitions.forget_line(head.name, line) for line in lines]
+    return any(known)
 
 
 def _last_above(state: JudgingState, chain: Chain, head: Name) -> Chain:

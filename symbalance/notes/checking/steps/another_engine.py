@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from symbalance.document.formula import Call, Extremum, Formula, Name, Negative, names, walk
 from symbalance.document.letters import is_greek
@@ -21,28 +22,55 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
+
+_KIND = (
+    r"(?:force|couple|moment|torque|kraft|kräfte|paar|effort|fuerza|par|forza|coppia|momento|força|binário"
+    r"|力)"
+)
+_ORDER = r"(?:order|ordnung|ordre|orden|ordine|ordem|次)"
+_OF_AN_ORDER = re.compile(rf"{_KIND}.{{0,40}}{_ORDER}|{_ORDER}.{{0,40}}{_KIND}", re.IGNORECASE)
+"""What a letter is declared as that is of each engine by itself: couple of the second order."""
 
 
 def leave_engine(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget the formula of a quantity of the engine before; tell whether there was one.
 
     The quantity is what a relation begins with, its largest value or its size, or F_2 of F_1 = F_2 = 0;
-    one that is declared is the same on the whole page.
+    one that is declared is the same on the whole page, but for the forces and couples of an order, which
+    every engine has for itself, below a heading of its own.
     """
     left, line = chain.sides[k].node, chain.lines[0]
-    name = left.name if k and isinstance(left, Name) else "" if k else _measured(left)
+    is_number = not names(chain.sides[-1].node)
+    is_of_each = (
+        is_number and len(chain.sides) > 2 and all(isinstance(s.node, Name) for s in chain.sides[:-1])
+    )
+    is_lone = isinstance(left, Name) and bool(k or is_of_each)
+    name = left.name if isinstance(left, Name) and is_lone else "" if k else _measured(left)
     is_known = False if k or name else _leave_sizes(state, chain)
-    if not name or name in state.declarations.symbols_at(line):
+    declared = state.declarations.symbols_at(line).get(name, "") if name else ""
+    if not name or (declared and not _OF_AN_ORDER.search(declared)):
         return is_known
-    knowledge, claim = state.knowledge(line), chain.sides[k + 1].node
+    knowledge, claim = state.knowledge(line), chain.sides[-1 if is_number else k + 1].node
+    is_other = (
+        (lambda earlier: bool(state.sections.headings_name_other_engines(line, earlier)))
+        if declared
+        else partial(state.sections.is_of_another_engine, chain)
+    )
     lines = [
         entry.definition.line
         for entry in state.definitions.values.get(name, ())
-        if state.sections.is_of_another_engine(chain, entry.definition.line)
+        if is_other(entry.definition.line)
         and not _is_of_another_order(entry.definition.node, claim, knowledge)
     ]
     for earlier in lines:
         state.definitions.forget(name, earlier)
+    if lines and is_number:  # M_1 = M_2 = 0 says so of both
+        others = [s.node.name for s in chain.sides[k + 1 :] if isinstance(s.node, Name)]
+        for entry in [e for other in others for e in state.definitions.values.get(other, ())]:
+            if is_other(entry.definition.line):
+                for other in others:
+                    state.definitions.forget(other, entry.definition.line)
     return bool(lines)
 
 

@@ -46,7 +46,7 @@ from symbalance.notes.checking.units.dimensions import (
     written_unit,
 )
 from symbalance.notes.checking.units.own_units import is_per_minute
-from symbalance.notes.reading.equations import ReadNotes, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.notes.reading.spellings.numerals import sign_of_unit
 from symbalance.notes.reading.units import GRAVITY, scale_of
@@ -298,6 +298,31 @@ def puts_in_as_typed(left: Side, right: Side, document: ReadNotes, knowledge: Kn
         if first is not None and math.isclose(first, value, rel_tol=SAME):
             return True
     return False
+
+
+def decide_in_one_unit(
+    chain: Chain, k: int, document: ReadNotes, knowledge: Knowledge
+) -> Decision | None:
+    """Return the proof that an arithmetic has the numbers of letters that are all in one unit.
+
+    With I_1 = 12 and I_2 = 60 lb. in. sec.², I_1 I_2/(I_1 + I_2) = 720/72, its unit left out.
+    """
+    left, right = chain.sides[k : k + 2]
+    if not names(left.node) or names(right.node) or isinstance(right.node, Number):
+        return None
+    put_in = value_of(right.node)
+    if put_in is None or any(_with_units(right.node, document)):
+        return None
+    typed = {name: _typed(name, document, knowledge) for name in names(left.node)}
+    units = {each.unit for each in typed.values() if each is not None}
+    if None in typed.values() or len(units) != 1 or not units.pop():
+        return None
+    numbers = {name: each.number for name, each in typed.items() if each is not None}
+    node = _with_numbers(left.node, numbers, knowledge)
+    first = None if node is None else value_of(node)
+    if first is None or not math.isclose(first, put_in, rel_tol=SAME):
+        return None
+    return Decision(PROVED, UNITS_LEFT_OUT)
 
 
 _OTHER_UNIT = re.compile(

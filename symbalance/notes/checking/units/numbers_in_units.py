@@ -49,6 +49,7 @@ from symbalance.notes.checking.units.dimensions import unit_of, written_unit
 from symbalance.notes.checking.units.formulas_between_numbers import (
     decide_as_typed,
     decide_between_numbers,
+    decide_in_one_unit,
     decide_numbers_put_in,
     may_convert,
     puts_in_as_typed,
@@ -146,6 +147,7 @@ def _as_meant(
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
         _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded,
         decide_rounded_wholes, proved_by_units_above, decide_with_bare_lengths, decide_in_unit_of_list,
+        decide_in_one_unit,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant in (_converted, _between_numbers)):

@@ -34,7 +34,7 @@ _WORDS = {
 _COUNTS = {word: count for count, words in _WORDS.items() for word in words.split()}
 _ANY = "|".join(sorted(_COUNTS, key=len, reverse=True))
 _ONE_OF_MANY = (
-    r"cylinder(?!s)|cyl(?!ind)|pot(?![a-z])|zylind(?:er|rig)|cilinder|cilindr(?!os|i(?![a-zà-ü]))"
+    r"cylinder(?!s)|cyl(?!ind)|pot(?![a-z])|zylind(?:er|rig)|cilinder|cil[ií]ndr(?!os|i(?![a-zà-ü]))"
     r"|cylindre(?!s)"
     r"|cylindr(?:ow|ig)|válc|цилиндров|気筒|シリンダ"
 )
@@ -42,11 +42,11 @@ _SEVERAL = r"cylinders|zylindern?|cylindres|cilindros|cilindri|cilinders|cylindr
 _GAP = r"(?:[^\w\n]|\n(?!\s*\n))+"
 _MACHINE = rf"(?:engines?|motor\w*|moteurs?|machine|maschine|silnik|двигатель){_GAP}(?:\w+{_GAP}){{0,2}}?"
 _MENTION = re.compile(
-    rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|Boxer|Parallel)?[-\s]?(?P<count>{_ANY})(?:-\n|[-\s])?(?:{_ONE_OF_MANY})"
+    rf"(?<![A-Za-z0-9.,])(?P<line>Reihen|B[oó]xer|Parallel)?[-\s]?(?P<count>{_ANY})(?:-\n|[-\s])?(?:{_ONE_OF_MANY})"
     rf"|(?<![A-Za-z])(?:une?|le|du|el|del|il|um|o)\s+(?P<latin>{_ANY})[-\s](?:cylindres|cilindros"
     rf"|cilindri)"
     rf"|{_MACHINE}(?P<many>{_ANY})[-\s]?(?:{_SEVERAL})"
-    r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|boxer|cross-?plane|flat-plane|reihen|直列|並列"
+    r"|(?<![A-Za-z])(?P<kind>in-?line|straight|flat|b[oó]xer|cross-?plane|flat-plane|reihen|直列|並列"
     r"|水平対向)"
     rf"[-\s]?(?P<behind>{_ANY}(?<!one))(?![0-9A-Za-z])(?![.,][0-9])"
     rf"|(?<![A-Za-z])(?P<row>{_ANY})[-\s](?:in[-\s]line(?:a\b)?|en\sl(?:igne|ínea)\b|em\slinha\b)"
@@ -77,8 +77,12 @@ _RADIAL = re.compile(
 _IN_ROW = re.compile(r"in-?\s?line|straight|reihe|直列|in\s+linea|en\s+l[ií]|em\s+linha", re.IGNORECASE)
 _HEAD = 400
 """Characters at the beginning of a page that say what it is about."""
-_BOXER = re.compile(r"boxer|flat[-\s](?:twin|two|four|six|2|4|6)|(?<!horizontally )opposed|horizontally"
-                    r"|水平対向|à plat|gegenüberliegend", re.IGNORECASE)  # fmt: skip
+_BOXER = re.compile(
+    r"b[oó]xer|flat[-\s](?:twin|two|four|six|2|4|6)|(?<!horizontally )opposed|horizontally|水平対向"
+    r"|à plat|gegenüberliegend|opuestos|contrapuestos|opposés|contrapposti|opostos|contrapostos"
+    r"|przeciwsobn|protilehl|оппозит",
+    re.IGNORECASE,
+)
 _ODD = re.compile(
     r"cross[\s-]?plane|クロスプレーン|T-?plane|big[\s-]?bang|uneven|odd[\s-]?fire|ungleichm|不等"
     r"|two[\s-]?plane"
@@ -132,6 +136,12 @@ _COMPARED_WITH = re.compile(
 )
 _COMPARED_BEHIND = re.compile(r"(?:エンジン|機関)?(?:と(?:同じ|違|異な)|に(?:比べ|対し)|とは?違|より)")
 """Words around an engine that is named only to compare another one with it."""
+_SAID_OF_IT = re.compile(
+    r"(?:[\s-]+(?:engines?|motors?|moteur|motore))?,?\s+(?:where|in\s+which|for\s+which|wo|bei\s+(?:dem|welchem)|où"
+    r"|donde|en\s+el\s+(?:que|cual)|dove|in\s+cui|onde|em\s+que)(?![^\W\d_])[\s$`\\(]{1,4}(?=[^.;\n]{1,40}[=≈])",
+    re.IGNORECASE,
+)
+"""Behind an engine that is only compared with, and whose formula follows: the four, where F = …"""
 _SUPPOSED = re.compile(
     r"(?<![A-Za-z])(?:instead|would|wäre|würde|hätte|serait|aurait|sarebbe|sería)(?![A-Za-z])"
 )
@@ -310,6 +320,8 @@ class EnginesInWords:
 
     def _is_compared_with(self, match: re.Match[str]) -> bool:
         """Tell whether an engine is named only to compare another with it: unlike the single cylinder."""
+        if _SAID_OF_IT.match(self.text, match.end()):
+            return False
         start = match.start() + len(match[0]) - len(match[0].lstrip())
         before = self.text[max(0, start - 60) : start].rpartition("\n\n")[2]
         is_behind = _COMPARED_BEHIND.match(self.text, match.end()) is not None

@@ -308,6 +308,12 @@ LONGEST_SENTENCE = 160
 """Characters before a relation in which a dead centre may be named."""
 LONGEST_INTRODUCTION = 60
 """Characters before a relation in which such a word is looked for."""
+_RANKS = ("part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph")
+_MARK_OF_LEVEL = re.compile(
+    rf"\s*(?:(?P<marks>[#=*]{{1,6}})[ \w]|\\(?P<rank>{'|'.join(_RANKS)})\*?\s*\{{)"
+)
+_DEEPEST = 99
+"""Deeper than any heading."""
 
 
 @dataclass(frozen=True)
@@ -621,7 +627,7 @@ class Sections:
         start = chain.start
         row = self.lines[chain.lines[0] - 1]
         text = self.document.text
-        if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain):
+        if _ROW_OR_ITEM.match(row) or self.is_in_next_group(chain) or self._names_its_row(chain):
             return True
         before = [
             other
@@ -749,6 +755,18 @@ class Sections:
         end = self.start_of_line(first + 1) if first < len(self.lines) else len(self.document.text)
         return self.named_engines.last_before(self.start_of_line(first), end)
 
+    def _named_in_headings(self, line: int) -> NamedEngine | None:
+        """Return the engine that the heading of a line's section names, or the one that it is under."""
+        level = _DEEPEST
+        for heading in reversed([n for n in self._headings if n <= line]):
+            own = _level(self.lines[heading - 1])
+            if own >= level:
+                continue
+            level = own
+            if (engine := self._named_in_heading(heading)) is not None:
+                return engine
+        return None
+
     @cached_property
     def named_engines(self) -> EnginesInWords:
         """The engines that the page names."""
@@ -775,6 +793,16 @@ class Sections:
         own = self.document.text[chain.sides[0].span[0] : chain.sides[0].span[1]].strip()
         has_same = column < len(cells) and cells[column].strip(" $").startswith(own)
         return has_same and column > 1 and first != second and "=" not in first + second
+
+    def _names_its_row(self, chain: Chain) -> bool:
+        """Tell whether a relation is the first cell of a table's row, in any markup: κ = 1/2 & circle."""
+        own = cells_of(self.document.text).at(chain.start)
+        return (
+            own is not None
+            and bool(own.others)
+            and len(own.labels) == 1
+            and own.labels[0].text == own.rows
+        )
 
     def _is_in_cell_of_another_row(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a letter stands in its column of an earlier line, in another row of the table."""
@@ -918,8 +946,11 @@ class Sections:
                 {match["angle"] for pattern in (_ANGLE, _TURN) for match in pattern.finditer(heading)}
                 for heading in headings
             ]
-            is_of_one = all(len(each) == 1 for each in angles)
-            return True if is_of_one and angles[0] != angles[1] else None
+            if all(len(each) == 1 for each in angles) and angles[0] != angles[1]:
+                return True
+            named = [self._named_in_headings(n) for n in (earlier_line, line)]  # in any language
+            counts = [engine.cylinders for engine in named if engine is not None]
+            return True if len(set(counts)) > 1 else None
         return case_words.is_other_engine(before, now)
 
     def start_of_line(self, line: int) -> int:
@@ -1205,6 +1236,17 @@ class Sections:
     def paragraph_start(self, line: int) -> int:
         """Return the first line of the paragraph that a line stands in."""
         return self._paragraphs[line - 1][0]
+
+
+def _level(heading: str) -> int:
+    """Return how deep a heading is by its marks, one more than the first; 1 where it has none.
+
+    >>> _level("### Example"), _level(r"\\subsection{Example}"), _level("Example")
+    (3, 4, 1)
+    """
+    if (mark := _MARK_OF_LEVEL.match(heading)) is None:
+        return 1
+    return _RANKS.index(mark["rank"]) + 1 if mark["rank"] else len(mark["marks"])
 
 
 def _gives(chain: Chain, name: str) -> bool:

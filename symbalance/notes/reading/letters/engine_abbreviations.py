@@ -1,5 +1,7 @@
 r"""Abbreviations that engineers write as letters: BMEP = 4πT/V, \mathrm{bmep}, B.P. = 2πNT, IHP.
 
+So are rpm and HP between the signs of a formula typed without TeX, T = 5252*HP/rpm.
+
 Letter by letter they would be products. They are read as one name each, p_{bmep} or P_{bp}: the mean
 effective pressures wherever they stand in a formula, the powers where the page speaks of such a power.
 """
@@ -20,6 +22,16 @@ _WORD = re.compile(
 _NAMES_POWER = re.compile(
     r"(?:indicated|brake|friction|shaft)\s+(?:horse[\s-]?)?power|horse[\s-]?power", re.IGNORECASE
 )
+_BARE = re.compile(
+    r"(?P<rate>(?<=[A-Za-z0-9)][*·×])(?:rpm|RPM)(?![A-Za-z0-9_^.])"
+    r"|(?<=[A-Za-z)]/)(?<![0-9] [a-zA-Z]/)(?<![0-9] [a-zA-Z]{2}/)(?:rpm|RPM)(?![A-Za-z0-9_^])"
+    r"|(?<![A-Za-z0-9_. ])(?:rpm|RPM)(?=[*·×][A-Za-z0-9(]))"
+    r"|(?P<horses>(?<=[*·×/(])(?:HP|hp)(?![A-Za-z0-9_^.])(?=[ \t]?[-+*·×/=)])"
+    r"|(?<![A-Za-z0-9_.])HP(?=[ \t]?=[ \t]?[A-Za-z0-9(]))"
+)
+"""Words that stand as factors beside a typed sign: 5252*HP/rpm, T*rpm/5252; or a power left of =."""
+_TYPED = re.compile(r"[A-Za-z0-9)]\*[A-Za-z0-9(]")
+_HORSES = re.compile(r"[0-9][ \t]?(?:hp|HP)(?![A-Za-z])|horse[\s-]?power", re.IGNORECASE)
 _BEFORE = re.compile(r"(?:[=≈+−*·/(]|\\(?:frac|cdot|times)\b.{0,2}|\{|\s-|\$)\s?$")
 _BEHIND = re.compile(r"\s?(?:[=≈*·/−)]|\+|\}|\s-\s|-\s|\\(?:approx|cdot|times|,)|\$)")
 _LOOK = 12
@@ -34,7 +46,14 @@ def with_abbreviations(text: str) -> Rewritten | None:
     'brake power P_{bp} = 2 pi N T, eta = P_{bp}/P_{ip}'
     """
     speaks_of_power = _NAMES_POWER.search(text) is not None
-    rewriter, changed = Rewriter(text), False
+    rewriter = Rewriter(text)
+    bare = list(_BARE.finditer(text)) if _TYPED.search(text) else []
+    has_horses = _HORSES.search(text) is not None
+    written = {
+        match.start(): (match.end(), "n_{rpm}" if match["rate"] else "P_{hp}")
+        for match in bare
+        if match["rate"] or has_horses
+    }
     for match in _WORD.finditer(text):
         word = match["set_pressure"] or match["pressure"] or match["set_power"] or match["power"]
         is_power = bool(match["set_power"] or match["power"])
@@ -46,6 +65,7 @@ def with_abbreviations(text: str) -> Rewritten | None:
         if not is_in_formula or (is_power and not speaks_of_power):
             continue
         letter = "P" if is_power else "p"
-        rewriter.replace(*match.span(), f"{letter}_{{{word.replace('.', '').lower()}}}")
-        changed = True
-    return rewriter.finish() if changed else None
+        written[match.start()] = match.end(), f"{letter}_{{{word.replace('.', '').lower()}}}"
+    for start, (end, name) in sorted(written.items()):
+        rewriter.replace(start, end, name)
+    return rewriter.finish() if written else None

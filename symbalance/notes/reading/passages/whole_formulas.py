@@ -56,6 +56,18 @@ _CHANGE_BEFORE = re.compile(
 OPERATION = re.compile(r"[+\-−–*×·⋅∙/÷^±∓!]|\\(?:cdot|times|div|pm|mp|over)(?![A-Za-z])|\*\*")
 
 
+_PLUS_A_THING = re.compile(
+    r"(?:plus|and\s+also|zuzüglich|más|più|mais)\s+(?:the|an?|its|that|those|de[rnm]|die|das|l[ea]|les|une?|il|lo|gli|el|los|las|os?)"
+    r"\s+[^\W\d_]{4,}",
+    re.IGNORECASE,
+)
+"""What a sentence adds to a result: the mass m = 4.5 kg plus the centrifugal force of the pin."""
+_NUMBER_LAST = re.compile(
+    r"[=≈]\s*[-−]?[0-9][0-9.,]*[$\]\s]*(?:\\[,;: ])?\s*"
+    r"(?:\\(?:mathrm|text)\s*\{[^{}]{1,16}\}\S{0,5}|[^\W\d_]{0,4}[²³]?)[$\]\s]*$"
+)
+
+
 def cut_error(place: int, rest: str) -> ReadingError:
     """Return the failure of a formula that goes on with the words at a place."""
     words_left = " ".join(rest.split())
@@ -90,7 +102,8 @@ def doubt_around(text: str, start: int, end: int, words: Vocabulary) -> ReadingE
     if unit and unit["unit"] not in _WORDS_LIKE_UNITS and scale_of(unit["unit"]) is not None:
         what = f"{unit['unit']}, a unit or letters"
         return ReadingError(unit.start("unit"), what, "write the unit upright, or the letters apart")
-    if says_multiple_of(text, start, end, behind):
+    is_of_thing = _PLUS_A_THING.match(behind) and _NUMBER_LAST.search(text, start, end)
+    if is_of_thing or says_multiple_of(text, start, end, behind):
         behind = ""
     goes_on = _goes_on(behind, after, words) or _applies_a_word(text, start, behind)
     if goes_on or (text[end - 1 : end] == "%" and _PART_OF.match(behind)):

@@ -15,7 +15,11 @@ _NUMBER = (
     r"[-−]?(?:[0-9]+(?:\.[0-9]+|\{,\}[0-9]+)?(?:\s*(?:\\pi(?![A-Za-z])|π))?|\\pi(?![A-Za-z])|π)"
     r"(?:\s?°|\^\\circ(?![A-Za-z])|\^\{\\circ\})?"
 )
-_UNIT = r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}|[^\S\n]?(?:mm|cm|rpm|N|m|kg)(?![A-Za-z0-9]))"
+_UNIT = (
+    r"(?P<unit>(?:\\[,;: ]|~| )*\\mathrm\{[^{}]{1,12}\}"
+    r"|[^\S\n]?(?:(?:mm|cm|rpm|N|m|kg|kN|Nm|Hz|bar|[kM]Pa|kW|lbs?|ft|psi|hp|s|(?:[1U]|rev|tr|r|giri|ot)/min)"
+    r"(?![A-Za-z0-9/^²³·])|r\.\s?p\.\s?m\.?|min(?:⁻¹|\^\{?[-−]1\}?)|in\.(?=[\s,;)]|$)))"
+)
 _DOTS = r"(?:\\(?:l|c)?dots[a-z]?(?![A-Za-z])|…|⋯|\.{2,3}|・・・)"
 _HEAD = r"(?<![\w\\}\])'′⁄])(?P<letter>(?:\\[A-Za-z]+|[^\W\d_])(?:_\{\w{1,6}\}|_\w{1,4}|[₀-₉])?)\s*&?=\s*"
 _NOT_BEFORE_FORMULA = (
@@ -37,8 +41,9 @@ _SPAN = re.compile(
     rf"(?P<last>{_NUMBER.replace('[-−]?', '')})(?:{_UNIT_OF_SPAN})?{_NOT_BEFORE_FORMULA}"
 )
 """From one number to a larger one, n = 1500–6000 rpm: a hyphen needs the unit, or it is a minus sign."""
+_AND = "and|or|und|oder|et|ou|e|ed|o|y|och|i|en|of"
 _COMMA = (
-    r"\s*(?:[,;、]|\\text\s*\{\s*(?:and|or|und|oder)\s*\}|(?<=\s)(?:and|or|und|oder)(?=\s))"
+    rf"\s*(?:[,;、と]|\\text\s*\{{\s*(?:{_AND})\s*\}}|(?<=\s)(?:{_AND})(?=\s)|および)"
     r"(?:\s|\\[,; ])*"
 )
 _ONE_UNIT = _UNIT.replace("P<unit>", ":")
@@ -62,6 +67,7 @@ _BETWEEN = re.compile(_COMMA)
 _DEGREES = re.compile(r"(?:\s?°|\^\\circ|\^\{\\circ\})$")
 _INDEXED = re.compile(r"[^_]+_\{?[ijkn]\}?")
 _NUMBERED = re.compile(r"_\{?[0-9]+\}?$|[₀-₉]$")
+_ENDS_IN_AND = re.compile(rf"(?:\s(?:{_AND})\s|と|および)[^,;、]*$")
 WIDEST = 1000
 """How many times larger the next of several values of a letter may be."""
 _PAIR = 2
@@ -211,7 +217,10 @@ def _plain_list(match: re.Match[str], values: list[str], plain: list[str], bare:
     if all(b != p for b, p in zip(bare, plain, strict=True)):
         return _turned_through(match, plain, bare)
     sizes = [float(value) for value in plain] if bare == plain else []
-    is_run = bool(sizes) and sizes == sorted(sizes) and len(set(sizes)) == len(sizes)
+    is_falling = len(sizes) > _PAIR and sizes == sorted(sizes, reverse=True) and _ENDS_IN_AND.search(rest)
+    is_run = bool(sizes) and len(set(sizes)) == len(sizes) and (sizes == sorted(sizes) or is_falling)
+    if is_falling and not match["dots"]:  # n = 2400, 1200 and 800 rpm
+        values, sizes = values[::-1], sizes[::-1]
     if not is_run or any(second > WIDEST * first > 0 for first, second in pairwise(sizes)):
         return None  # λ = 0.31, 6000 rpm: the speed is another quantity
     units = [unit.group() for unit in re.finditer(_UNIT, (match["one"] or "") + rest)]

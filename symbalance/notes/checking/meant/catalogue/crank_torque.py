@@ -179,7 +179,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         (), ("edit", "factor", "power"), approximate=_INERTIA_TORQUE,
         unless=words(_OFFSET, r"cylinders\b|all (?:four|three|six)|zylindern\b|aller zylinder"
             r"|気筒(?:全体|分)|whole engine"
-                     r"|\bbanks?\b|V-?(?:engine|motor|twin|\d)|sum of|verdoppel|doubl|boxer|twin"),
+                     r"|\bbanks?\b|V-?(?:engine|motor|twin|\d)|sum of|verdoppel|doubl|b[oó]xer|twin"),
         turns=True, only=_ENGINE, is_told_once=True, is_of_one=True,
     ),
     Quantity(

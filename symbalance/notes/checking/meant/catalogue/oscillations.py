@@ -68,6 +68,21 @@ _ABOUT_CENTRE = words(
     r"重心(?:ま|周)わりの慣性モーメント",
     r"um\s+den\s+schwerpunkt",
 )  # fmt: skip
+_PIVOT = (
+    r"(?:pivot|(?:point|axis)\s+of\s+(?:suspension|swing|rotation)|suspension|knife[- ]?edge|small[- ]end"
+    r"|big[- ]end"
+    r"|(?:piston|gudgeon|wrist|crank)[- ]?pin)"
+)
+_ABOUT_PIVOT = words(
+    rf"(?:(?:mass\s+)?moment\s+of\s+)?inertia\s+(?:about|round)\s+(?:the|its|this|that)\s+{_PIVOT}",
+    rf"about\s+(?:the|its|this|that)\s+{_PIVOT}",
+    r"trägheitsmoment\s+um\s+(?:den|die|das|seinen|ihren)\s+(?:aufhänge|dreh|pendel|schneide|kleine|große|auge)\w*",
+    r"(?:支点|回転軸|懸垂点|小端|大端)(?:ま|周|回)わりの慣性モーメント",
+    r"moment\s+d['’]inertie\s+(?:par\s+rapport\s+(?:au|à\s+l['’])|autour\s+d[ue])\s*(?:\w+\s+)?"
+    r"(?:pivot|couteau|suspension|axe)",
+    r"momento\s+d['’]inerzia\s+(?:rispetto\s+al|intorno\s+al)\w*\s*(?:perno|coltello|punto|asse)",
+    r"momento\s+de\s+inercia\s+(?:respecto\s+(?:al|de)|alrededor\s+de)\w*\s*(?:el\s+)?(?:pivote|punto|cuchilla|eje)",
+)  # fmt: skip
 _PENDULUM = words(
     r"pendul", r"pendel", r"knife[- ]edge", r"schneide", r"swings?\b", r"suspended|hung\b|hangs",
     r"schwingt", r"振り子",
@@ -160,6 +175,17 @@ OSCILLATIONS: tuple[Quantity, ...] = (
                   _HUNG / (4 * PI) - mass * arm**2, _HUNG / (2 * PI**2) - mass * arm**2,
                   mass * gravity * period**2 / (4 * PI**2) - mass * arm**2),
         only=_PENDULUM, unless=words(r"bifilar|trifilar|zweifaden|dreifaden|torsion|half|halbe|半"),
+    ),
+    Quantity(
+        "moment of inertia about its pivot by a pendulum's period", letters("J I Theta"), _ABOUT_PIVOT,
+        (_HUNG / (4 * PI**2),), ("edit", "power", "factor"),
+        mistakes=(_HUNG / (4 * PI), _HUNG / (2 * PI), _HUNG / (2 * PI**2), _HUNG / PI**2,
+                  _HUNG / (8 * PI**2),
+                  mass * gravity * arm * period / (4 * PI**2), mass * gravity * period**2 / (4 * PI**2),
+                  4 * PI**2 * mass * gravity * arm / period**2, mass * gravity * arm * period / (2 * PI),
+                  mass * arm * period**2 / (4 * PI**2)),
+        only=_PENDULUM, unless=words(r"bifilar|trifilar|zweifaden|dreifaden|torsion|halbe|半周期"
+                                     r"|half\s+(?:swing|period)"),
     ),
     Quantity(
         "moment of inertia by a bifilar suspension", letters("J I Theta"), _INERTIA,

@@ -314,7 +314,12 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("half_bank", "alpha beta gamma delta", r"half[- ](?:the )?(?:bank|vee|V|included)?[- ]?angle"
                                             r"|(?:bank|vee|V|included) ?-?angle(?: of)?"
      r" 2|semi-?angle|angle between the (?:banks|cylinders|cylinder (?:axes|lines)) 2|winkel 2"
-     r"|halber? (?:bank|V-|gabel)winkel"),
+     r"|halber? (?:bank|V-|gabel)winkel|半(?:バンク角|挟み角|V角)"
+     r"|(?:バンク角|挟み角|V角)(?:の(?:半分|1/2|二分の一)(?:の角度?)?|[をはがの、]?\s?2)"
+     r"|(?:demi-?angle|moitié de l['’]angle)"
+     r"(?: (?:du V|entre (?:les )?(?:cylindres|axes)|d['’]ouverture))?"
+     r"|(?:semi-?angolo|metà dell['’]angolo)(?: (?:della V|(?:tra|fra) i cilindri|di apertura))?"
+     r"|(?:semi-?ángulo|mitad del ángulo)(?: (?:de la V|entre (?:los )?cilindros|de apertura))?"),
     ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
     ("wheel_load", "P W Q N G F", r"loads?|dead weight|weight|force|radlast|last|kraft|荷重"),
     ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),

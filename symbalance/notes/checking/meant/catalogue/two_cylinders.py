@@ -37,7 +37,7 @@ V_WORDS = (
     r"|motor en V|two cylinders at \d+\s?°|bank angle|degree V\b|°\s?V\b|° twin"
 )
 _MORE = (
-    r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht|V-?(?:[4-9]|1[0-9])\b|W-?12|boxer|flat twin"
+    r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht|V-?(?:[4-9]|1[0-9])\b|W-?12|b[oó]xer|flat twin"
     r"|opposed|offset|counterweight|gegengewicht|after balanc|each cylinder|one cylinder|per cylinder"
     r"|single cylinder|cylinder alone|one bank|each bank"
     r"|(?:from|ab|von) (?:the |der )?(?:axis of |achse )?(?:the |des )?"

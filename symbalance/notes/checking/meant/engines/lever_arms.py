@@ -25,7 +25,7 @@ _ARMS = re.compile(
     re.IGNORECASE,
 )
 _UNEVEN = re.compile(
-    r"unequal|uneven|offset|ungleich|not\s+equally|boxer|flat[\s-]|opposed|不等", re.IGNORECASE
+    r"unequal|uneven|offset|ungleich|not\s+equally|b[oó]xer|flat[\s-]|opposed|不等", re.IGNORECASE
 )
 _MIDDLE = re.compile(r"middle|cent(?:re|er)|mitte|中央|中心|milieu|centro", re.IGNORECASE)
 _FIRST = re.compile(

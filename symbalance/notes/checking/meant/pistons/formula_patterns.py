@@ -76,7 +76,8 @@ from symbalance.text import lazy_patterns as re
 _ANOTHER = re.compile(
     r"(?<!un)balanc|counter-?weight|residu|remain|left over|compensat|(?<!un)ausgeglichen|ausgleich"
     r"|\brest(?:kraft|moment|lich|anteil|\b)|gegengewicht|釣合|つり合|釣り合|残|équilibr|contrepoids|equilibr|contrapeso"
-    r"|\bV-?\d|\bV-?(?:engine|motor|twin)|V型|V形|\bbanks?\b|\bradial engine|sternmotor|星型|星形|boxer"
+    r"|\bV-?\d|\bV-?(?:engine|motor|twin)|V型|V形|\bbanks?\b|\bradial engine|sternmotor|星型|星形"
+    r"|b[oó]xer"
     r"|opposed|水平対向"
     r"|cylinders\b|zylindern\b|(?:aller|beider|zwei|drei|vier|sechs|acht) zylinder|\w+-cylinder"
     r"|[2-9２-９二三四六八]\s?気筒"
@@ -266,7 +267,8 @@ class FormulaPatterns:
                 if relation.sign not in "=≈" or not _is_series(node) or has_waves(chain.sides[k].node):
                     continue
                 outcomes = self._outcomes(node, Knowledge(), chain, "", None)
-                if own := frozenset(each.match.quarters for each in outcomes if each.match.is_whole):
+                plain = [each.match for each in outcomes if each.match.is_whole and not each.match.shift]
+                if own := frozenset(match.quarters for match in plain):  # a whole λ before may be a slip
                     starts.append((chain.lines[0], own))
         return starts
 
