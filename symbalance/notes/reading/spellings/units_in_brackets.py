@@ -1,12 +1,13 @@
 """Units in round brackets behind a number, r = 40 (mm): the brackets are left out.
 
-Read as they stand they are a number without a unit and words behind it, or a product, m = 450·(g).
+Read as they stand they are a number without a unit and words behind it, or a product, m = 450·(g). A unit
+in words, λ = 3.5 (metres), is said of all the numbers of a sentence, and stays.
 """
 
 from __future__ import annotations
 
 from symbalance.notes.reading.rewriting import Rewriter, Rewritten
-from symbalance.notes.reading.spellings.numerals import sign_of_unit
+from symbalance.notes.reading.units import scale_of
 from symbalance.text import lazy_patterns as re
 
 _NUMBER = r"[-−]?[0-9][0-9.,{}]{0,12}(?:[ ]?[·×][ ]?10(?:\^\{?[-−]?[0-9]{1,2}\}?|[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]{1,3}))?"
@@ -15,6 +16,8 @@ _STATED = re.compile(
     rf"[=≈][ ~$]{{0,3}}{_NUMBER}(?:\$|\\\))?[ ~](?P<brackets>\((?:in[ ])?{_UNIT}\))(?![ ]?[-+−·⋅×*/^=(])"
 )
 
+_WORD = re.compile(r"[A-Za-z]{4}")
+
 
 def with_units_without_brackets(text: str) -> Rewritten | None:
     """Return a text with units behind numbers out of their brackets, None where there are none.
@@ -22,10 +25,15 @@ def with_units_without_brackets(text: str) -> Rewritten | None:
     >>> with_units_without_brackets("r = 40 (mm) and ω = 300 (rad/s), F = 5 (a)").text
     'r = 40 mm and ω = 300 rad/s, F = 5 (a)'
     """
-    found = [match for match in _STATED.finditer(text) if sign_of_unit(match["unit"])]
+    found = [match for match in _STATED.finditer(text) if _is_sign(match["unit"])]
     if not found:
         return None
     rewriter = Rewriter(text)
     for match in found:
         rewriter.replace(*match.span("brackets"), match["unit"])
     return rewriter.finish()
+
+
+def _is_sign(unit: str) -> bool:
+    """Tell whether this is a unit by its sign, and not written out."""
+    return scale_of(unit) is not None and _WORD.search(unit) is None
