@@ -108,8 +108,7 @@ _THIN_SPACE = re.compile(r"\\[;:,!]")
 """Spaces typed with signs that end a sentence elsewhere: \\;\\Rightarrow\\; goes on."""
 _CONDITION = re.compile(
     r"(?:(?<![A-Za-z\\{])(?:where|when|whenever|if|setting|set|solve|solving|condition|equation|root|roots|extremum"
-    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum"
-    r"|où|lorsque|quand|dove|quando|donde|cuando)"
+    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum)"
     r"(?![A-Za-z])|条件|方程式|のとき)[^.;!?$=]{0,40}$",
     re.IGNORECASE,
 )
