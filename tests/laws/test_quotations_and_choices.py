@@ -60,6 +60,12 @@ ROOTS = [
     ("Serve $2x = 41$, quindi $x = 20.5$ cm.", True),
     ("Serve $2x = 41$, quindi $x = 21.5$ cm.", False),
 ]
+BOUND = [
+    "With $d < 0$ we require $d^2 = 40$, so $d = 6.32$ mm.",
+    "With $u < 0$ and $|u| = 2$ we get $u = 2$.",
+    "With $u < 0$ and $|u| = 2$ we get $u = 2$ mm.",
+    "Mit $d = 50$ mm und $d^3 = 15.28$ ist $d = 2.48$ in.",
+]
 HOLDS = ("holds", "holds_to_order", "conditional")
 
 
@@ -68,6 +74,11 @@ def test_a_root_has_its_unit_and_its_condition_the_numbers(tmp_path, text, is_ri
     words = words_of(tmp_path, f"{text}\n", ".md")
     assert (words[-1] in HOLDS) == is_right, words
     assert is_right or words[-1] in ("refuted", "contradiction"), words
+
+
+@pytest.mark.parametrize("text", BOUND)
+def test_a_root_that_something_else_forbids_does_not_hold(tmp_path, text):
+    assert words_of(tmp_path, f"{text}\n", ".md")[-1] not in HOLDS
 
 
 def test_a_root_goes_on_with_its_unit(tmp_path):

@@ -155,7 +155,7 @@ def test_the_first_cells_of_a_table_are_cases(tmp_path):
 
 
 PENDULUMS = [
-    "The rod swings on a knife edge. Its moment of inertia about the pivot follows from its period $T$:",
+    "The rod was swung on a knife edge. Its moment of inertia about the pivot comes from its period $T$:",
     "Das Pleuel schwingt als Pendel, Schwingungsdauer $T$. Das Trägheitsmoment um die Schneide ist",
 ]
 

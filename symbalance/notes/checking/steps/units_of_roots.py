@@ -30,18 +30,28 @@ def decide_root_with_unit(
         return None
     condition = _condition_of_root(state, chain, head.name)
     quantity = quantity_of(right, state.document)
-    if condition is None or any(_has_unit(state.document.source(s.span)) for s in condition.sides[1:]):
+    if condition is None or quantity is None or _is_bound_elsewhere(state, head.name, condition, chain):
         return None
-    number = right.node
-    if quantity is not None:
-        has_places = quantity.half and quantity.half < Fraction(1, 2)
-        number = Number(quantity.value, 2 * quantity.half if has_places else None)
+    if any(_has_unit(state.document.source(s.span)) for s in condition.sides[1:]):
+        return None
+    has_places = quantity.half and quantity.half < Fraction(1, 2)
+    number = Number(quantity.value, 2 * quantity.half if has_places else None)
     line = chain.lines[0]
     there = state.given_numbers.decide(head.name, number, line, line, knowledge, of_it_alone=True)
     if there is None or not there.is_proved:
         return None
     _take_root(state, chain, head.name, condition)
     return there
+
+
+def _is_bound_elsewhere(state: JudgingState, name: str, condition: Chain, chain: Chain) -> bool:
+    """Tell whether more than the condition says what a letter is: d < 0, or another equation of it."""
+    definitions, line = state.definitions, chain.lines[0]
+    own = range(condition.lines[0], condition.lines[-1] + 1)
+    others = any(name in p.names and p.line not in own for p in definitions.premises_at(line))
+    return others or any(
+        name in names(part) for each in definitions.ranges_at(line) for part in (each.left, each.right)
+    )
 
 
 def _has_unit(source: str) -> bool:
