@@ -5,8 +5,15 @@ Of x² = 4 and y² = 9 the sum is 5 where neither is negative: "x and y are nega
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from symbalance.document.formula import Name, Negative
+from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import UNDECIDED, Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITIONAL, Verdict
 from symbalance.notes.reading.equations import Chain
@@ -36,6 +43,8 @@ def unless_sign_denied(state: JudgingState, chain: Chain, k: int, verdict: Verdi
     own = [text.removesuffix(_NOT_NEGATIVE) for text in parts if text.endswith(_NOT_NEGATIVE)]
     letters = [name for name in own if name in chain.letters]
     for name in letters:
+        if _holds_of_negative(state, chain, k, name):
+            continue
         if name in state.general:
             reason = f"said of all values of {name}, and it holds if {name}{_NOT_NEGATIVE}"
             return describe(state.document, chain, k, Decision(UNDECIDED, reason))
@@ -43,6 +52,27 @@ def unless_sign_denied(state: JudgingState, chain: Chain, k: int, verdict: Verdi
             reason = f"it holds if {name}{_NOT_NEGATIVE}, and words call {name} negative"
             return describe(state.document, chain, k, Decision(UNDECIDED, reason))
     return verdict
+
+
+def _holds_of_negative(state: JudgingState, chain: Chain, k: int, name: str) -> bool:
+    """Tell whether a relation holds with the letter's sign changed too: √(a²) = |a| does."""
+    negative = Negative(Name(name))
+    try:
+        left, right = (
+            side.changed(lambda node: substitute(node, name, negative)) for side in chain.sides[k : k + 2]
+        )
+    except NoFormError:
+        return False
+    knowledge = state.knowledge(chain.lines[0])
+    return name not in knowledge.definitions and (
+        decide(left, right, chain.relations[k].sign, knowledge).is_proved
+        or decide(left, right, chain.relations[k].sign, _not_negative(name, knowledge)).is_proved
+    )
+
+
+def _not_negative(name: str, knowledge: Knowledge) -> Knowledge:
+    meaning = replace(knowledge.meaning, positive=knowledge.meaning.positive | {name})
+    return replace(knowledge, meaning=meaning)
 
 
 def _is_called_negative(state: JudgingState, chain: Chain, name: str) -> bool:
