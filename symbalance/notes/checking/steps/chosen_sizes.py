@@ -65,15 +65,16 @@ _TAKEN = re.compile(r"[\s$]{0,3}(?:とする|とした|とします|にする)")
 def leave_choice(state: JudgingState, chain: Chain, k: int) -> bool:
     """Forget what the lines above give a letter, where words say that another value is chosen."""
     head, text = chain.sides[0].node, state.document.text
-    if k or not isinstance(head, Name) or names(chain.sides[1].node):
+    if k or not isinstance(head, Name):
         return False
     before, behind = (
         text[max(chain.start - _REACH, 0) : chain.start],
         text[chain.end : chain.end + _REACH],
     )
     behind = behind[_unit_length(behind) :]
-    is_chosen = _CHOOSES.search(before) is not None or _CHOSEN.match(behind) is not None
-    is_taken = _TAKES.search(before) is not None or _TAKEN.match(behind) is not None
+    is_number = not names(chain.sides[1].node)  # a formula is chosen by the words before it: h = 0.7 b
+    is_chosen = _CHOOSES.search(before) is not None or (is_number and _CHOSEN.match(behind) is not None)
+    is_taken = is_number and (_TAKES.search(before) is not None or _TAKEN.match(behind) is not None)
     if not is_chosen and not (is_taken and _is_rounder(state, chain, head)):
         return False
     lines = {e.definition.line for e in state.definitions.values.get(head.name, ())}
