@@ -130,9 +130,7 @@ def _has_several_printed(state: JudgingState, name: str) -> bool:
 
 def _has_formula(state: JudgingState, chain: Chain) -> bool:
     """Tell whether lines above have a formula for the letter of which a relation gives a number."""
-    head = chain.sides[0].node
-    above = state.sections.chains_above(head, chain.start)
-    return any(len(c.sides) > 1 and names(c.sides[1].node) for c in above)
+    return state.sections.has_formula_above(chain.sides[0].node, chain.start)
 
 
 def _said_of_none(

@@ -179,9 +179,10 @@ def _words_behind(chain: Chain, document: ReadNotes) -> str:
 def _of_degrees_behind(chain: Chain, document: ReadNotes) -> Iterator[tuple[str, str, Formula]]:
     """Yield the bounds of a relation's only angle by a number behind it: at 120°, also beyond 90°."""
     match = _DEGREES_BEHIND.match(document.text, chain.end)
+    if match is None or not all(names(side.node) for side in chain.sides):
+        return
     angles = {name for side in chain.sides for name in letters_in_waves(side.node)}
-    is_of_formulas = match is not None and all(names(side.node) for side in chain.sides)
-    if match is None or not is_of_formulas or len(angles) != 1:
+    if len(angles) != 1:
         return
     (angle,) = angles
     degrees = int(match["degrees"])

@@ -83,11 +83,11 @@ def unless_said_again(
 def _said_before(state: JudgingState, chain: Chain, value: Formula) -> Chain | None:
     """Return the last relation above in its section that gives what a relation begins with its number."""
     above = state.sections.chains_above(chain.sides[0].node, chain.start)
-    given = [c for c in above if c.relations and not names(c.sides[-1].node)]
-    if not given or not state.sections.same_section(given[-1].lines[0], chain.lines[0]):
+    given = next((c for c in reversed(above) if c.relations and not names(c.sides[-1].node)), None)
+    if given is None or not state.sections.same_section(given.lines[0], chain.lines[0]):
         return None
-    is_same = any(_is_number(side.node, value) for side in given[-1].sides[1:])
-    return given[-1] if is_same else None
+    is_same = any(_is_number(side.node, value) for side in given.sides[1:])
+    return given if is_same else None
 
 
 def _is_number(node: Formula | None, value: Formula) -> bool:

@@ -58,6 +58,8 @@ def unless_wrong_in_turn(state: JudgingState, chain: Chain, k: int, verdict: Ver
 
 def _formula_above(state: JudgingState, chain: Chain, head: Name) -> Formula | None:
     """Return the last formula of a letter above a relation of its section."""
+    if not state.sections.has_formula_above(head, chain.start):
+        return None
     above = [c for c in state.sections.chains_above(head, chain.start) if len(c.sides) > 1]
     own = [c for c in above if names(c.sides[1].node) and c.relations[0].sign == "="]
     if not own or not state.sections.same_section(own[-1].lines[0], chain.lines[0]):

@@ -158,16 +158,10 @@ def _sentence(state: JudgingState, chain: Chain) -> str:
 def _equation(state: JudgingState, chain: Chain, head: Name) -> Chain | None:
     """Return the last equation of one letter before a number that may be one of its roots, or None."""
     stem = head.name.partition("_")[0]
-    for other in reversed(state.document.chains):
-        if other.end > chain.start or len(other.letters) != 1:
-            continue
-        if not state.sections.same_section(other.lines[0], chain.lines[0]):
-            return None
-        (name,) = other.letters
-        is_one = len(other.relations) == 1 and other.relations[0].sign == "="
-        if is_one and name in (head.name, stem) and not isinstance(other.sides[0].node, Name):
-            return other
-    return None
+    found = state.sections.equation_before(chain.start, (head.name, stem))
+    if found is None or not state.sections.same_section(found.lines[0], chain.lines[0]):
+        return None
+    return found
 
 
 def _kind_named(state: JudgingState, chain: Chain, head: Name, equation: Chain) -> str:

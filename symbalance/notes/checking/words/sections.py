@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -907,6 +907,36 @@ class Sections:
             if chain.relations:
                 chains.setdefault(chain.sides[0].node, []).append(chain)
         return chains
+
+    def equation_before(self, place: int, letters: Collection[str]) -> Chain | None:
+        """Return the last equation of one of these letters alone that ends before a place, or None."""
+        found = [self._equations_of[name] for name in letters if name in self._equations_of]
+        last = [chains[k - 1] for ends, chains in found if (k := bisect_right(ends, place))]
+        return max(last, key=lambda chain: chain.end, default=None)
+
+    @cached_property
+    def _equations_of(self) -> dict[str, tuple[list[int], list[Chain]]]:
+        """The equations that have one letter and do not begin with it alone, by that letter."""
+        found: dict[str, tuple[list[int], list[Chain]]] = {}
+        for chain in self._by_end[1]:
+            is_one = len(chain.relations) == 1 and chain.relations[0].sign == "="
+            if is_one and len(chain.letters) == 1 and not isinstance(chain.sides[0].node, Name):
+                ends, chains = found.setdefault(next(iter(chain.letters)), ([], []))
+                ends.append(chain.end)
+                chains.append(chain)
+        return found
+
+    def has_formula_above(self, head: Formula, place: int) -> bool:
+        """Tell whether a relation above a place gives what it begins with a formula."""
+        return self._first_formulas.get(head, place) < place
+
+    @cached_property
+    def _first_formulas(self) -> dict[Formula, int]:
+        first: dict[Formula, int] = {}
+        for chain in self.in_order:
+            if len(chain.sides) > 1 and names(chain.sides[1].node):
+                first.setdefault(chain.sides[0].node, chain.start)
+        return first
 
     def chains_on(self, line: int) -> list[Chain]:
         """Return the relations that begin on a line."""
