@@ -84,21 +84,6 @@ def test_a_pin_of_two_rods_has_the_whole_of_one(page, is_wrong):
     assert (last(page, PIN).verdict == REFUTED) == is_wrong
 
 
-DATA = "## 1 {}\n\nWe look at an engine with $k = 2$.\n\n## 2 Order two\n\n"
-
-
-@pytest.mark.parametrize("heading", ["Notation and data", "Bezeichnungen", "Données", "Dati", "諸元"])
-def test_data_under_their_heading_hold_for_the_page(heading):
-    page = DATA.format(heading)
-    assert last(page + r"$$k A + k B = 2A + 2B$$", {}).verdict == CONDITIONAL
-    assert last(page + r"$$k A + k B = 2A + 3B$$", {}).verdict not in PROVED_WORDS
-
-
-def test_a_number_of_another_section_ends_with_it():
-    page = DATA.format("The single")
-    assert last(page + r"$$k A + k B = 2A + 2B$$", {}).verdict not in PROVED_WORDS
-
-
 RATIO = {r"\kappa": "crank ratio r/l", "R": "crank radius [m]", "L": "rod length [m]"}
 RATIOS = "The rod ratio is $\\kappa = R/L$, with $R = 45$ mm and $L = 150$ mm.\n\n"
 

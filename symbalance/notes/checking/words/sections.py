@@ -86,12 +86,6 @@ _DATA = re.compile(
     re.IGNORECASE,
 )
 """A list of what holds for the page: "piston with pin and rings m = 0.41 kg" is no case."""
-_OF_DATA = re.compile(
-    r"(?<![^\W\d_])(?:data|notation|nomenclature|symbols|Daten|Bezeichnungen|Formelzeichen|Angaben|données|notations?"
-    r"|dati|notazioni?|simboli|datos|notación|símbolos)(?![^\W\d_])|諸元|記号|データ",
-    re.IGNORECASE,
-)
-"""Headings below which stands what holds for the whole page."""
 _NAMING = re.compile(
     rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
 )
@@ -588,14 +582,7 @@ class Sections:
                 return self.case_end(line)  # in UT, α = 180°: what its lines say
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
-        is_of_page = is_number and self._is_of_data(line)
-        end = len(self.lines) if is_of_page else self.section_end(line)
-        return end if is_premise else None
-
-    def _is_of_data(self, line: int) -> bool:
-        """Tell whether a line stands in the one section of a page that is headed as its data."""
-        own = [n for n in self.heading_lines if _OF_DATA.search(self.lines[n - 1])]
-        return len(own) == 1 and own[0] <= line <= self.section_end(own[0])
+        return self.section_end(line) if is_premise else None
 
     @cached_property
     def running(self) -> RunningAngles:
