@@ -36,6 +36,12 @@ def vee(order, angle, crank=T):
     return order(crank, angle / 2) + order(crank, -angle / 2)
 
 
+OF_ONE_ROD = {"rotating": F(2), "reciprocating": MASS, "cylinders": F(2), "share": F(1, 2)}
+OF_BOTH_RODS = {**OF_ONE_ROD, "reciprocating": 2 * MASS}
+ON_ONE_PIN = 2 + abs(vee(first, mp.pi / 2)) / (R * W**2)
+"""What turns on the pin of a vee of 90°, and the first order of its two pistons, which turns with it."""
+
+
 def without_first_order(gamma):
     """Return the angle between two pins at which what turns against the crank vanishes, by a search."""
 
@@ -273,6 +279,7 @@ COUNTERWEIGHTS = {
     "static moment of two sectors": [(SECTORS, 2 * SECTOR), (SECTORS, 2 * RING_SECTOR)],
     "static moment of a half disc": [(SECTORS, HALF_DISC), (SECTORS, HALF_RING)],
     "static moment of two half discs": [(SECTORS, 2 * HALF_DISC), (SECTORS, 2 * HALF_RING)],
+    "bob weight of a pin with two rods": [(OF_ONE_ROD, ON_ONE_PIN), (OF_BOTH_RODS, ON_ONE_PIN)],
     "bob weight": [(SIZES, NEEDED / R), (SIZES, (2 * R + 5 * (NEEDED - 2 * R)) / R)],
     "mass of a sector": [(SECTORS, SECTOR_MASS), (SECTORS, 2 * SECTOR_MASS)],
     "permissible eccentricity by the balance quality": [(UNBALANCE, mpf(1) / 2 / 50)],

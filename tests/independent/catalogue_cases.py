@@ -211,6 +211,9 @@ VIBRATION = {
     "moment of inertia from a pendulum's period": [
         ({**PENDULUM, "period": exact(2 * mp.pi / SWINGS)}, ABOUT_PIVOT)
     ],
+    "moment of inertia about its pivot by a pendulum's period": [
+        ({**PENDULUM, "period": exact(2 * mp.pi / SWINGS)}, ABOUT_PIVOT)
+    ],
 }  # fmt: skip
 
 # Masses

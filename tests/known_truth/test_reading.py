@@ -195,7 +195,6 @@ REFUSED = [
     (r"\prod x", 0, "a product sign without index and bounds"),
     (r"\sup x", 0, "sup and inf are not read"),
     (r"x \to a", 2, "arrows are not read"),
-    (r"F \propto a", 2, "proportionality is not read"),
     (r"\log_{2} x", 4, "a logarithm's base is not read"),
     (r"\cot^{-1} x", 11, "the inverse of cot is not read"),
     ("x^{10^1½}", 7, "1½, a mixed number or a product"),

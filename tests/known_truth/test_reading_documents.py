@@ -222,7 +222,6 @@ REFUSED = [
         [(1, 3, "bracket ( is never closed"), (2, 8, "bracket ) was never opened")],
         [],
     ),
-    (r"x \propto y", [(1, 3, "proportionality is not read")], []),
     ("質量は x = m Q である", [], ["x = m Q"]),
     ("質量は Z = K Q である", [], ["Z = K Q"]),
     ("値は x = f(2) Q である", [], ["x = f(2) Q"]),

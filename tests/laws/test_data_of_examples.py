@@ -130,6 +130,7 @@ def test_a_list_says_what_does_not_change_once_more():
 )
 def test_one_number_of_a_list_that_is_nearly_as_before_is_open(data):
     found = [link["verdict"] for link in check(FIRST + "Again: " + data).data()["links"]]
-    assert sorted(found[5:]) == ["holds", "holds", "undecided"]
+    assert sorted(set(found[5:]) - {"premise"}) == ["holds", "undecided"]
+    assert found[5:].count("undecided") == 1
     alone = [link["verdict"] for link in check(FIRST + "Also ist r = 41 mm.").data()["links"]]
     assert alone[-1] == "refuted"

@@ -73,6 +73,8 @@ def values_in_prose(
     page: ReadNotes, letter_of: Callable[[GivenInProse], str | None]
 ) -> Iterator[GivenInProse]:
     """Yield the values that sentences give; `letter_of` names the letter, None for what is no letter."""
+    if not page.chains:
+        return  # nothing is computed from them
     own = {side.node.name for chain in page.chains for side in chain.sides if isinstance(side.node, Name)}
     given: dict[str, list[GivenInProse]] = {}
     for found in (*_given(page.text), *_given_before(page.text), *_of_formulas(page)):

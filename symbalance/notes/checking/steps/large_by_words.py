@@ -23,14 +23,11 @@ from symbalance.notes.checking.verdicts import UNDECIDED as UNDECIDED_WORD
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
-_LARGE = (
-    r"(?:large|big|great|high|große[nsmr]?|hohe[nsmr]?|grande?s?|gran|elevat[oa]s?|élevée?s?"
-    r"|大きな|大きい)"
-)
+_LARGE = r"(?:large|big|great|high|große[nsmr]?|hohe[nsmr]?|grande?s?|gran|elevat[oa]s?|élevée?s?)"
 _VALUES = r"(?:values?\s+of|werte?\s+von|valeurs?\s+de|valori\s+di|valores\s+de)"
 _LETTER = r"\$?\\?(?P<letter>[^\W\d_]+(?:_\{?\w{1,6}\}?)?)\$?"
 _SAID_LARGE = re.compile(
-    rf"(?<![^\W\d_]){_LARGE}\s*(?:{_VALUES}\s*)?{_LETTER}(?![^\W\d_])"
+    rf"(?<![^\W\d_\\])(?:{_LARGE}[ ~]|大きな|大きい)\s*(?:{_VALUES}\s*)?{_LETTER}(?![^\W\d_])"
     rf"|{_LETTER.replace('letter', 'limit')}\s*(?:→|\\to|->)\s*(?:∞|\\infty)"
     rf"|{_LETTER.replace('letter', 'much')}\s*(?:≫|\\gg)\s*1(?![0-9.,])",
     re.IGNORECASE,

@@ -45,6 +45,7 @@ _OF_PERIOD = re.compile(rf"(?:{_NOUNS[PERIOD]}){_IS}[\s$(\\:]*$", re.IGNORECASE)
 _SECONDS = ("s", "ms", "µs", "sec")
 _TURNS = ("Hz", "kHz", "1/s", "s^-1", "s⁻¹")
 _LONGEST = 120
+_ROUGHLY = 0.02
 
 
 def with_rates_said_again(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -69,9 +70,12 @@ def with_rates_said_again(state: JudgingState, chain: Chain, k: int, verdict: Ve
         return verdict
     sources = [state.document.source(side.span) for side in (right, above.sides[-1])]
     shown = f"{plain_text(above.sides[0].node)} = {text[slice(*above.sides[-1].span)]}"
+    decision = Decision(REFUTED, f"not the {kind} of {shown}")
     if rounds_to(float(exact), float(typed), *sources):
-        return describe(state.document, chain, k, Decision(PROVED, f"the {kind} of {shown}"))
-    return describe(state.document, chain, k, Decision(REFUTED, f"not the {kind} of {shown}"))
+        decision = Decision(PROVED, f"the {kind} of {shown}")
+    elif abs(float(typed) / float(exact) - 1) < _ROUGHLY:
+        return verdict  # 310 rad/s, said roughly
+    return describe(state.document, chain, k, decision)
 
 
 def _rate_above(state: JudgingState, above: Chain) -> tuple[Formula, str] | None:

@@ -6,6 +6,8 @@ The numbers behind such words stand without their units. What is computed from t
 
 from __future__ import annotations
 
+from itertools import product
+
 from symbalance.document.formula import Formula, names
 from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.letters_behind import names_behind
@@ -29,6 +31,13 @@ _SAID_ONCE = re.compile(
     r"(?:\s+(?:in|en)\s+|はすべて|は|の単位は)\s?(?P<unit>[A-Za-zµ][^\s.,;:()]{0,14})",
     re.IGNORECASE,
 )
+_FURTHER = re.compile(
+    r"(?:\s*,\s*(?:[^\W\d_]+\s+in\s+)?|\s+(?:and|und|et|e|y)\s+(?:[^\W\d_]+\s+in\s+)?)[A-Za-zµ]{1,4}(?![^\W\d_])"
+)
+"""A second unit behind the first: lengths in mm, forces in N; data in mm and N."""
+_UNIT_WORD = re.compile(r"[A-Za-zµ]{1,4}(?![^\W\d_])$")
+_MOST = 4
+"""Letters without a unit that are tried with those of the words."""
 _JUDGED = (*PROVED_WORDS, REFUTED, CONTRADICTION)
 
 
@@ -39,12 +48,22 @@ def unless_units_said_once(state: JudgingState, chain: Chain, k: int, verdict: V
         return verdict
     unit = written_unit(state.document.source(right.span))[1]
     bare = _bare_letters(state, chain, left) if unit else ()
-    words = _words_before(state, chain, bare) if bare else None
-    if words is None or _are_pure_numbers(state, chain, k, frozenset(bare)):
+    words, units = _words_before(state, chain, bare) if 0 < len(bare) <= _MOST else ("", ())
+    if not units or not _want_units(state, chain, k, bare, units):
         return verdict
     shown = " and ".join(map(plain_letter, bare))
     reason = f"no unit stands behind the value of {shown}, but in words (“{words}”): write it there"
     return describe(state.document, chain, k, Decision(UNDECIDED, reason))
+
+
+def _want_units(
+    state: JudgingState, chain: Chain, k: int, bare: tuple[str, ...], units: tuple[str, ...]
+) -> bool:
+    """Tell whether a result has its unit if bare numbers have those of the words, and not without."""
+    return not _fits(state, chain, k, dict.fromkeys(bare, "")) and any(
+        _fits(state, chain, k, dict(zip(bare, given, strict=True)))
+        for given in product(("", *units), repeat=len(bare))
+    )
 
 
 def _bare_letters(state: JudgingState, chain: Chain, node: Formula) -> tuple[str, ...]:
@@ -55,12 +74,14 @@ def _bare_letters(state: JudgingState, chain: Chain, node: Formula) -> tuple[str
     return tuple(sorted(name for name in behind if _is_bare(state, values[name])))
 
 
-def _are_pure_numbers(state: JudgingState, chain: Chain, k: int, bare: frozenset[str]) -> bool:
-    """Tell whether a result has its unit if bare numbers have none: a ratio, a count."""
+def _fits(state: JudgingState, chain: Chain, k: int, given: dict[str, str]) -> bool:
+    """Tell whether a result has its unit where bare letters have these units, "" for pure numbers."""
     known = state.knowledge(chain.lines[0]).definitions
-    values = {name: d.node for name, d in known.items() if name not in bare}
-    symbols = state.definitions.declarations.symbols_at(chain.lines[0])
-    dimensions = Dimensions(symbols, values, state.document.text, plain=bare)
+    values = {name: d.node for name, d in known.items() if name not in given}
+    symbols = {**state.definitions.declarations.symbols_at(chain.lines[0])}
+    symbols |= {name: f"size, {unit}" for name, unit in given.items() if unit}
+    plain = frozenset(name for name, unit in given.items() if not unit)
+    dimensions = Dimensions(symbols, values, state.document.text, plain=plain)
     first, second = chain.sides[k], chain.sides[k + 1]
     sources = (state.document.source(first.span), state.document.source(second.span))
     return dimensions.mismatch(first.node, second.node, sources) is None
@@ -72,12 +93,18 @@ def _is_bare(state: JudgingState, node: Formula) -> bool:
     return not names(node) and has_number and not unit
 
 
-def _words_before(state: JudgingState, chain: Chain, bare: tuple[str, ...]) -> str | None:
-    """Return the words above a relation that give all numbers, or one of these letters, their unit."""
+def _words_before(
+    state: JudgingState, chain: Chain, bare: tuple[str, ...]
+) -> tuple[str, tuple[str, ...]]:
+    """Return the words above a relation that give numbers, or these letters, units, and the units."""
     text = state.document.text
     for match in _SAID_ONCE.finditer(text, 0, chain.start):
-        if unit_in_words(match["unit"]):
-            return " ".join(match[0].split())
+        further = _FURTHER.match(text, match.end())
+        units = [match["unit"], *(_UNIT_WORD.findall(further[0]) if further else ())]
+        found = tuple(filter(None, map(unit_in_words, units)))
+        if found:
+            return " ".join(match[0].split()), found
     own = {*bare, *map(plain_letter, bare)}
-    units = (unit for sign, unit in LetterUnits(state.document).every if sign in own)
-    return next((f"in {unit.text}" for unit in units if unit.place < chain.start), None)
+    said = (unit for sign, unit in LetterUnits(state.document).every if sign in own)
+    near = next((unit for unit in said if unit.place < chain.start), None)
+    return (f"in {near.text}", (near.text,)) if near is not None else ("", ())

@@ -17,6 +17,9 @@ _STATED = re.compile(
 )
 
 _WORD = re.compile(r"[A-Za-z]{4}")
+_BARE_BEFORE = re.compile(r"[=≈][\s$]*[-−]?[0-9][0-9.,]*\$?\s*(?:,|;|and|und|et|e|y)\s[^=.;\n]{0,30}$")
+"""Before a number whose unit in brackets is that of the one before too: a = 92 and b = 20 (MPa)."""
+_NEAR = 60
 
 
 def with_units_without_brackets(text: str) -> Rewritten | None:
@@ -26,6 +29,7 @@ def with_units_without_brackets(text: str) -> Rewritten | None:
     'r = 40 mm and ω = 300 rad/s, F = 5 (a)'
     """
     found = [match for match in _STATED.finditer(text) if _is_sign(match["unit"])]
+    found = [m for m in found if not _BARE_BEFORE.search(text, max(0, m.start() - _NEAR), m.start())]
     if not found:
         return None
     rewriter = Rewriter(text)
