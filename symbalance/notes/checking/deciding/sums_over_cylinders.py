@@ -72,6 +72,8 @@ def decide_over_cylinders(
 
     Where the words leave two sets of angles open, it is refuted only if it is false for both.
     """
+    if is_of_arguments(left) or is_of_arguments(right):
+        return Decision(UNDECIDED, "a letter before a bracket of angles: a factor, or a function of them")
     if knowledge.crank_angles is not None:
         left, right = (_with_sums_named(node, knowledge) for node in (left, right))
     left, right = (_with_bounds(node, knowledge) for node in (left, right))
@@ -339,6 +341,28 @@ def _over_rule(node: Formula, knowledge: Knowledge) -> tuple[Formula, int]:
     if not own[0] or own[0] != own[1]:
         return node, count
     return replace(node, lower=Number(Fraction(1)), upper=Number(Fraction(own[0]))), own[0]
+
+
+def is_of_arguments(node: Formula) -> bool:
+    """Tell whether a sum has its angles in brackets behind a letter, perhaps a function: T(θ + φ_j)."""
+    for part in walk(node):
+        if isinstance(part, Summation) and part.index is not None:
+            angles = [n for n in indexed_letters(part.body, part.index.name) if is_greek(n.split("_")[0])]
+            if any(_is_argument(part.body, angle) for angle in angles):
+                return True
+    return False
+
+
+def _is_argument(node: Formula, angle: str) -> bool:
+    """Tell whether an angle stands in a bracket without waves, right behind a letter."""
+    if isinstance(node, Call):
+        return False
+    factors = node.factors if isinstance(node, Product) else ()
+    for first, second in pairwise(factors):
+        is_bracket = isinstance(second, Sum) and not any(isinstance(p, Call) for p in walk(second))
+        if isinstance(first, Name) and is_bracket and angle in names(second):
+            return True
+    return any(_is_argument(part, angle) for part in children(node))
 
 
 def _stands_outside_waves(letters: set[str], node: Formula) -> bool:

@@ -26,6 +26,7 @@ from symbalance.document.formula import (
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.sums import at_index, indexed_letters
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.sums_over_cylinders import is_of_arguments
 from symbalance.notes.checking.words.crank_angles_listed import crank_angles
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
@@ -141,7 +142,7 @@ def _written_out(node: Summation, values: _Values, line: int) -> Formula:
     index = node.index.name if node.index is not None else _index_of(node.body)
     body = node.body if not index else _with_places_put_in(node.body, index, values, line)
     letters = indexed_letters(body, index) if index else []
-    if not letters or any(values.rule(letter, line) for letter in letters):
+    if not letters or any(values.rule(letter, line) for letter in letters) or is_of_arguments(node):
         return node
     stems = [letter[: -len(index)] for letter in letters if letter.endswith(index)]
     if len(stems) < len(letters):

@@ -16,6 +16,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.meant.letter_units import LetterUnits
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.dimensions import Dimensions, written_unit
+from symbalance.notes.checking.units.own_units import is_per_minute_number
 from symbalance.notes.checking.verdicts import CONTRADICTION, PROVED_WORDS, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
 from symbalance.notes.reading.spellings.numerals import unit_in_words
@@ -90,7 +91,8 @@ def _fits(state: JudgingState, chain: Chain, k: int, given: dict[str, str]) -> b
 def _is_bare(state: JudgingState, node: Formula) -> bool:
     """Tell whether a letter's value is a number typed without a unit, and no ratio or count by words."""
     has_number, unit = written_unit(state.document.source(node.span))
-    return not names(node) and has_number and not unit
+    is_rate = is_per_minute_number(node, state.document.text)  # 3,000 rev/min
+    return not names(node) and has_number and not unit and not is_rate
 
 
 def _words_before(
