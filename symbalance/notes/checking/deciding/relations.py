@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -52,7 +51,7 @@ from symbalance.notes.checking.deciding.order_agreement import (
     known_not_small,
 )
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.deciding.substitution import replace_part, substitute
+from symbalance.notes.checking.deciding.substitution import put_in, replace_part, substitute
 from symbalance.notes.checking.deciding.sums_as_letters import decide_sums_as_letters
 from symbalance.notes.checking.deciding.sums_over_cylinders import decide_over_cylinders
 from symbalance.notes.checking.deciding.whole_numbers import (
@@ -165,7 +164,7 @@ def _with_own_numbers(
     if not numeric or own - numeric.keys() or bare is None or not decimals(bare):
         return None
     first, second = (
-        replace(side, readings=tuple(_put_in(node, numeric) for node in side.readings))
+        replace(side, readings=tuple(put_in(node, numeric) for node in side.readings))
         for side in (left, right)
     )
     decision = _decide_as_defined(first, second, sign, knowledge, through)
@@ -173,12 +172,6 @@ def _with_own_numbers(
         f"{formula_text(Name(n), plain=True)} = {formula_text(v, plain=True)}" for n, v in numeric.items()
     )
     return replace(decision, assumptions=(*decision.assumptions, *texts)) if decision.is_proved else None
-
-
-def _put_in(node: Formula, values: Mapping[str, Formula]) -> Formula:
-    for name in names(node) & values.keys():
-        node = substitute(node, name, values[name])
-    return node
 
 
 def _behind(left: Formula, right: Formula, knowledge: Knowledge) -> set[str]:

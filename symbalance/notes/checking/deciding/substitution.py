@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document import formula
-from symbalance.document.formula import Derivative, Formula, Name, Number, Product, Quotient, Summation
+from symbalance.document.formula import (
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Product,
+    Quotient,
+    Summation,
+    names,
+)
 from symbalance.notes.algebra.domain import NoFormError
 
 
@@ -28,6 +38,13 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
             node, **{key: part and substitute(part, name, value) for key, part in bounds.items()}
         )
     return formula.with_parts_changed(node, lambda part: substitute(part, name, value))
+
+
+def put_in(node: Formula, values: Mapping[str, Formula]) -> Formula:
+    """Return a formula with the values of its letters put in; what stands in these stays as it is."""
+    for name in names(node) & values.keys():
+        node = substitute(node, name, values[name])
+    return node
 
 
 def bound_letter(node: Formula) -> str:

@@ -121,8 +121,7 @@ def _given(
         if unless.search(clause) or _GOES_ON.match(match["behind"][end:]):
             continue
         letter, place = _letter_in(match)
-        number = re.sub(r"(?<=[0-9])[ \u202f\u2009](?=[0-9])", "", match["number"])
-        value = f"{number} {unit}".strip().replace("{,}", ",")
+        value = _quantity(match["number"], unit)
         value_span = match.start("number"), match.start("behind") + end
         yield GivenInProse(letter, place, value, value_span)
 
@@ -145,11 +144,14 @@ def _given_before(text: str) -> Iterator[GivenInProse]:
         if not is_read or _OF_A_CASE.search(clause.rstrip()):
             continue
         group = "dollars" if match["dollars"] else "plain"
-        number = re.sub(r"(?<=[0-9])[ \u202f\u2009](?=[0-9])", "", match["number"])
-        value = f"{number} {unit}".strip().replace("{,}", ",")
-        yield GivenInProse(
-            match[group], match.span(group), value, (match.start("number"), match.end("unit"))
-        )
+        span = match.start("number"), match.end("unit")
+        yield GivenInProse(match[group], match.span(group), _quantity(match["number"], unit), span)
+
+
+def _quantity(number: str, unit: str) -> str:
+    """Return a number as typed, without the spaces between its thousands, and its unit."""
+    digits = re.sub(r"(?<=[0-9])[ \u202f\u2009](?=[0-9])", "", number)
+    return f"{digits} {unit}".strip().replace("{,}", ",")
 
 
 def _letter_in(match: re.Match[str]) -> tuple[str, Span]:

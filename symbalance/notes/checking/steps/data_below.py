@@ -6,6 +6,7 @@ looked for where the display is judged.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from symbalance.document.formula import Name, names
@@ -28,23 +29,29 @@ _NEXT = re.compile(r"[\s$,;、\\)(]*(?:(?:and|und|sowie|et|e|ed|y|さらに)\s)?
 
 def with_data_below(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Knowledge:
     """Return what is known with the numbers that a clause right below gives letters without one."""
-    left, right, text = chain.sides[k].node, chain.sides[k + 1].node, state.document.text
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
     if names(right) or not names(left) or k + 2 != len(chain.sides):
+        return knowledge
+    given = dict(_data_below(state, chain))
+    if not given:
         return knowledge
     values = {name: definition.node for name, definition in knowledge.definitions.items()}
     values |= dict(knowledge.meaning.values)
-    behind = {*names(left), *names_behind(left, values)}
-    open_letters = {n for n in behind if n not in values}
-    found: dict[str, Definition] = {}
-    end, between = chain.end, _CLAUSE
-    for other in state.sections.chains_behind(chain.start) if open_letters else ():
-        head = other.sides[0].node
-        if other.start <= chain.start or between.fullmatch(text, end, other.start) is None:
-            break
-        if not isinstance(head, Name) or names(other.sides[-1].node) or other.relations[0].sign != "=":
-            break
-        if head.name in open_letters:
-            found[head.name] = Definition(other.sides[-1].node, other.lines[0], numeric=True)
+    open_letters = {*names(left), *names_behind(left, values)} - values.keys()
+    if not open_letters <= given.keys():
+        return knowledge
+    own = {name: given[name] for name in open_letters}
+    return replace(knowledge, definitions={**knowledge.definitions, **own})
+
+
+def _data_below(state: JudgingState, chain: Chain) -> Iterator[tuple[str, Definition]]:
+    """Yield the letters that a clause right below a relation gives a number, with these."""
+    text, end, between = state.document.text, chain.end, _CLAUSE
+    for other in state.sections.chains_behind(chain.start):
+        head, value = other.sides[0].node, other.sides[-1].node
+        if between.fullmatch(text, end, other.start) is None:
+            return
+        if not isinstance(head, Name) or names(value) or other.relations[0].sign != "=":
+            return
+        yield head.name, Definition(value, other.lines[0], numeric=True)
         end, between = other.end, _NEXT
-    is_whole = open_letters <= found.keys()
-    return replace(knowledge, definitions={**knowledge.definitions, **found}) if is_whole else knowledge

@@ -10,13 +10,13 @@ from collections.abc import Callable
 from fractions import Fraction
 from math import tau
 
-from symbalance.document.formula import Formula, Name, Number, names
+from symbalance.document.formula import Name, Number, names
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.letters_in_waves import letters_in_waves
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decision
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number
-from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.substitution import put_in
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.printed_digits import rounds_to
@@ -38,9 +38,13 @@ _OF_A_PART = re.compile(
     re.IGNORECASE,
 )
 """Words of an extreme that is not that of a whole turn, or is no extreme of the formula."""
-_STEPS, _HALVINGS = 96, 40
-"""Places of a turn that are looked at, and how often the neighbourhood of the best one is halved."""
-_REACH, _TINY = 120, 1e-9
+_STEPS, _THIRDS = 96, 40
+"""Places of a turn that are looked at: their mean is exact for every order below that number. And how
+often the neighbourhood of the best one loses a third: to a ten-millionth of itself."""
+_REACH = 120
+"""Characters before a number in which words say what it is."""
+_TINY = 1e-9
+"""By how much a zero is missed that floating-point numbers come to."""
 
 
 def unless_no_such_value(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -63,10 +67,8 @@ def unless_no_such_value(state: JudgingState, chain: Chain, k: int, verdict: Ver
         return verdict
     of = f" of line {found[1]} over a turn" if found else " between its ends"
     formula = f"{plain_text(Name(match['stem']))}{of}"
-    typed, source = (
-        number_of(right.node, state.knowledge(chain.lines[0])),
-        state.document.source(right.span),
-    )
+    typed = number_of(right.node, state.knowledge(chain.lines[0]))
+    source = state.document.source(right.span)
     if typed is None:
         return verdict
     if any(abs(value - typed) < _TINY or rounds_to(value, float(typed), source) for value in values):
@@ -105,18 +107,12 @@ def _formula(
 
     def value(at: float) -> float | None:
         try:
-            number = number_of(_put_in(node, {**numbers, angle: Number(Fraction(at))}), knowledge)
+            number = number_of(put_in(node, {**numbers, angle: Number(Fraction(at))}), knowledge)
         except NoFormError:
             return None
         return None if number is None else float(number)
 
     return value, above.lines[0]
-
-
-def _put_in(node: Formula, numbers: dict[str, Formula]) -> Formula:
-    for name in names(node) & numbers.keys():
-        node = substitute(node, name, numbers[name])
-    return node
 
 
 def _over_turn(value: Callable[[float], float | None], kind: str) -> tuple[float, ...] | None:
@@ -138,7 +134,7 @@ def _over_turn(value: Callable[[float], float | None], kind: str) -> tuple[float
 def _refined(value: Callable[[float], float], place: float) -> float:
     """Return the largest value near a place, by thirds."""
     low, high = place - tau / _STEPS, place + tau / _STEPS
-    for _ in range(_HALVINGS):
+    for _ in range(_THIRDS):
         first, second = low + (high - low) / 3, high - (high - low) / 3
         low, high = (first, high) if value(first) < value(second) else (low, second)
     return value((low + high) / 2)

@@ -39,8 +39,11 @@ _NEAR_A_TURN = re.compile(
 )
 _JUDGED = (*PROVED_WORDS, REFUTED_WORD, UNDECIDED_WORD, CONDITION)
 _REACH = 90
+"""Characters before a relation in which words say what is large."""
 _FIRST, _SECOND = 10**4, 10**8
+"""Two values of a large letter: the second tells whether both sides come closer still."""
 _SAME, _APART = 1e-3, 1e-2
+"""Parts of themselves: below the first two sides are the same there, above the second they are not."""
 
 
 def unless_large_by_words(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:

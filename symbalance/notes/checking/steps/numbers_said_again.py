@@ -238,8 +238,7 @@ def _is_datum(state: JudgingState, before: Chain, chain: Chain) -> bool:
     A number "at n = 6000 rpm", one that follows, and one of which words say that it is so again are not.
     """
     text, sections = state.document.text, state.sections
-    above = sections.chains_above(chain.sides[0].node, chain.start)
-    has_formula = any(len(c.sides) > 1 and names(c.sides[1].node) for c in above)
+    has_formula = sections.has_formula_above(chain.sides[0].node, chain.start)
     if has_formula or any(sections.is_consequence(c) for c in (before, chain)):
         return False
     first = max(before.end, chain.start - REACH)

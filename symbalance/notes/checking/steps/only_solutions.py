@@ -225,7 +225,7 @@ def _third_root(state: JudgingState, chain: Chain, equation: Chain, name: str) -
     given = [c for c in state.sections.chains_of(Name(name)) if c.start >= equation.end]
     values = [number_of(c.sides[1].node, knowledge) for c in given if not names(c.sides[1].node)]
     own = [float(v) for v in values if v is not None][:2]
-    if len(own) < len(("one", "two")) or chain is not given[1] or "." in text[given[0].end : chain.start]:
+    if len(own) < 2 or chain is not given[1] or "." in text[given[0].end : chain.start]:
         return ""
     sides = equation.sides[0].node, equation.sides[1].node
     reach = 10 * max(1.0, *map(abs, own))

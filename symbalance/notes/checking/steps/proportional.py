@@ -30,6 +30,7 @@ _TIMES, _MARK = "times_of_it", "what_it_grows_to"
 _MOST_STEPS = 12
 """Letters put in one after the other: a formula that needs more is that of a circle."""
 _POWERS = tuple(Fraction(n, 2) for n in (0, 2, -2, 4, -4, 6, -6, 8, -8, 1, -1, 3, -3))
+"""Powers that are tried to say how it grows: the fourth of a shaft's diameter is the highest in use."""
 
 
 def decide_proportional(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision:

@@ -45,7 +45,9 @@ _OF_PERIOD = re.compile(rf"(?:{_NOUNS[PERIOD]}){_IS}[\s$(\\:]*$", re.IGNORECASE)
 _SECONDS = ("s", "ms", "µs", "sec")
 _TURNS = ("Hz", "kHz", "1/s", "s^-1", "s⁻¹")
 _LONGEST = 120
+"""Characters before a period in which words call it one."""
 _ROUGHLY = 0.02
+"""By how much a rate may be rounded beyond its digits, 310 for 314 rad/s: no slip is so small."""
 
 
 def with_rates_said_again(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:

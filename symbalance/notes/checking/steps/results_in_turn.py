@@ -17,6 +17,7 @@ from symbalance.notes.checking.deciding.relations import decide_at_value
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.checking.words.lists_of_data import sets_number
+from symbalance.notes.checking.words.numbers_by_place import SENTENCE_END
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -24,7 +25,6 @@ from symbalance.text import lazy_patterns as re
 _AND = r"(?:,\s*(?:(?:and|und|et|e|y)\s+)?|\s+(?:and|und|et|e|y|or|oder|ou)\s+|、|と)"
 _VALUE = r"[-−]?[0-9]+(?:\.[0-9]+)?\s*(?:°|\^\s*\{?\s*\\circ\s*\}?)?"
 _LIST = re.compile(rf"[^=]*=\s*\$?(?P<values>{_VALUE}(?:\$?{_AND}\$?{_VALUE})+)\s*")
-_END = re.compile(r"(?<![0-9])(?<!bzw)(?<!resp)[.!?](?=\s|$)|。|\n\s*\n")
 _DEGREES = re.compile(r"°|circ")
 _STRAIGHT = 180
 
@@ -71,7 +71,7 @@ def _value_of_its_turn(state: JudgingState, chain: Chain, head: Name) -> tuple[s
     """Return the letter and the value that a result goes with by its turn in its sentence, as typed."""
     text, sections = state.document.text, state.sections
     first = chain.start - len(sections.sentence_before(chain))
-    ends = _END.search(text, chain.end)
+    ends = SENTENCE_END.search(text, chain.end)
     stop = ends.start() if ends is not None else len(text)
     before = [c for c in sections.chains_between(first, chain.start) if len(c.letters) == 1]
     for listed in reversed(before):

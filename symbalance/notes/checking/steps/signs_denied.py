@@ -43,13 +43,12 @@ def unless_sign_denied(state: JudgingState, chain: Chain, k: int, verdict: Verdi
     own = [text.removesuffix(_NOT_NEGATIVE) for text in parts if text.endswith(_NOT_NEGATIVE)]
     letters = [name for name in own if name in chain.letters]
     for name in letters:
-        if _holds_of_negative(state, chain, k, name):
-            continue
+        reason = ""
         if name in state.general:
             reason = f"said of all values of {name}, and it holds if {name}{_NOT_NEGATIVE}"
-            return describe(state.document, chain, k, Decision(UNDECIDED, reason))
-        if _is_called_negative(state, chain, name):
+        elif _is_called_negative(state, chain, name):
             reason = f"it holds if {name}{_NOT_NEGATIVE}, and words call {name} negative"
+        if reason and not _holds_of_negative(state, chain, k, name):
             return describe(state.document, chain, k, Decision(UNDECIDED, reason))
     return verdict
 

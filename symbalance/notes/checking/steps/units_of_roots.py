@@ -60,8 +60,8 @@ def _has_unit(source: str) -> bool:
 
 def _condition_of_root(state: JudgingState, chain: Chain, name: str) -> Chain | None:
     """Return the last relation above with a letter, where it fixes that letter alone; None if not."""
-    above = [c for c in state.document.chains if name in c.letters and c.start < chain.start]
-    last = max(above, key=lambda c: c.start, default=None)
+    above = (c for c in reversed(state.sections.in_order) if c.start < chain.start and name in c.letters)
+    last = next(above, None)
     is_near = last is not None and chain.lines[0] - last.lines[-1] <= _NEAR
     if last is None or not is_near or isinstance(last.sides[0].node, Name):
         return None

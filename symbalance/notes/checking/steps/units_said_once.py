@@ -6,6 +6,7 @@ The numbers behind such words stand without their units. What is computed from t
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import product
 
 from symbalance.document.formula import Formula, names
@@ -13,7 +14,6 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
-from symbalance.notes.checking.meant.letter_units import LetterUnits
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.dimensions import Dimensions, written_unit
 from symbalance.notes.checking.units.own_units import is_per_minute_number
@@ -99,14 +99,22 @@ def _words_before(
     state: JudgingState, chain: Chain, bare: tuple[str, ...]
 ) -> tuple[str, tuple[str, ...]]:
     """Return the words above a relation that give numbers, or these letters, units, and the units."""
-    text = state.document.text
-    for match in _SAID_ONCE.finditer(text, 0, chain.start):
-        further = _FURTHER.match(text, match.end())
-        units = [match["unit"], *(_UNIT_WORD.findall(further[0]) if further else ())]
-        found = tuple(filter(None, map(unit_in_words, units)))
-        if found:
-            return " ".join(match[0].split()), found
+    for end, words, units in _units_said(state.document.text):
+        if end <= chain.start:
+            return words, units
     own = {*bare, *map(plain_letter, bare)}
-    said = (unit for sign, unit in LetterUnits(state.document).every if sign in own)
+    said = (unit for sign, unit in state.named.units.every if sign in own)
     near = next((unit for unit in said if unit.place < chain.start), None)
     return (f"in {near.text}", (near.text,)) if near is not None else ("", ())
+
+
+@lru_cache(maxsize=8)
+def _units_said(text: str) -> tuple[tuple[int, str, tuple[str, ...]], ...]:
+    """Return where words end that give all numbers of a text their units, the words, and the units."""
+    found: list[tuple[int, str, tuple[str, ...]]] = []
+    for match in _SAID_ONCE.finditer(text):
+        further = _FURTHER.match(text, match.end())
+        words = [match["unit"], *(_UNIT_WORD.findall(further[0]) if further else ())]
+        if units := tuple(filter(None, map(unit_in_words, words))):
+            found.append((match.end(), " ".join(match[0].split()), units))
+    return tuple(found)

@@ -20,7 +20,7 @@ _RESPECTIVELY = re.compile(
     r"|respectivamente)(?![^\W\d_])|それぞれ",
     re.IGNORECASE,
 )
-_END = re.compile(r"(?<![0-9])(?<!bzw)(?<!resp)[.!?](?=\s|$)|。|\n\s*\n")
+SENTENCE_END = re.compile(r"(?<![0-9])(?<!bzw)(?<!resp)[.!?](?=\s|$)|。|\n\s*\n")
 _BESIDE = re.compile(
     r"[\s$)}\]]*(?:,?\s*(?<![^\W\d_])(?:and|or|und|oder|bzw\.|resp\.|et|ou|e|o|y)(?![^\W\d_])|,|と|または|、)[\s$({\[]*",
     re.IGNORECASE,
@@ -68,9 +68,9 @@ def by_order(sections: Sections, text: str, chain: Chain, givers: Sequence[Chain
     Without that word as many results in a row as there are numbers in a row go with these too.
     """
     start = givers[0].start
-    if givers[-1].end > chain.start or _END.search(text, start, chain.start):
+    if givers[-1].end > chain.start or SENTENCE_END.search(text, start, chain.start):
         return None
-    match = _END.search(text, chain.end)
+    match = SENTENCE_END.search(text, chain.end)
     end = match.start() if match is not None else len(text)
     between = sections.chains_between(givers[-1].end, end)
     results = [c for c in between if _stem(c) == _stem(chain)]

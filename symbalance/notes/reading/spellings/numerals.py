@@ -167,7 +167,11 @@ def unit_spelled(text: str, place: int) -> tuple[str, int]:
     match = _SPELLED_UNIT.match(text, place)
     if match is None:
         return "", place
-    return _SPELLED[int((match.lastgroup or "u0")[1:])][0], match.end()
+    return _sign_spelled(match), match.end()
+
+
+def _sign_spelled(match: re.Match[str]) -> str:
+    return next(sign for n, (sign, _) in enumerate(_SPELLED) if match[f"u{n}"])
 
 
 def with_plain_numerals(
@@ -656,16 +660,14 @@ def _units_in_words(text: str) -> dict[int, tuple[int, str]]:
     """Return the units written out, 40 millimetres, or behind a formula, $r = 40$ mm, in their signs."""
     changes: dict[int, tuple[int, str]] = {}
     for match in _SPELLED_UNIT.finditer(text):
-        which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
-        unit, dollars = _SPELLED[which][0], match[1] + match[2]
+        unit, dollars = _sign_spelled(match), match[1] + match[2]
         end = match.end()
         if "\n" in match.group():  # the unit stands where its number does
             end = match.start() + match.group().index("\n")
             changes[end + 1] = (match.end(), "")
         changes[match.start()] = (end, _unit_sign(unit, bool(dollars)) + dollars)
     for match in _SET_UNIT.finditer(text):
-        which = next(n for n in range(len(_SPELLED)) if match[f"u{n}"])
-        changes[match.start()] = (match.end(), _unit_sign(_SPELLED[which][0], True) + match["behind"])
+        changes[match.start()] = (match.end(), _unit_sign(_sign_spelled(match), True) + match["behind"])
     for match in _BEHIND_DOLLAR.finditer(text):
         unit, length = sure_unit_behind(text, match)
         if not unit:
