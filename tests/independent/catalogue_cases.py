@@ -445,6 +445,8 @@ ENGINE_RATES = {
     "speed of rotation by the angular speed": [
         ({"omega": exact(TURNING_RATE)}, mpf(number)) for number in (50, 3000)
     ],
+    "period by the angular frequency": [({"omega": exact(TURNING_RATE)}, mp.mpf(1) / 50)],
+    "angular frequency by the period": [({"period": F(1, 50)}, TURNING_RATE)],
     "time of a turn of the crank": [
         ({**each, angle: F(90)}, mp.mpf(1) / 4 / 50)
         for each in ROTATING

@@ -198,9 +198,11 @@ def _at_level(
 def _with_its_assumption(decision: Decision, small: SmallLetter, knowledge: Knowledge) -> Decision:
     """Return an agreement with what it rests on: that a letter is small, where nobody has said so."""
     usual = knowledge.crank.small[0] if knowledge.crank and knowledge.crank.small else None
-    if small.letter == usual or small.letter in knowledge.small:
+    is_known = small.letter == usual or small.letter in knowledge.small
+    known = "" if small.letter == usual or small.sign < 0 else known_not_small(small.letter, knowledge)
+    if is_known and not known:
         return decision
-    if small.sign > 0 and (known := known_not_small(small.letter, knowledge)):
+    if known:
         return Decision(UNDECIDED, f"it takes {plain_letter(small.letter)} for small: {known}")
     text = formula_text(Name(small.letter), plain=True) + (IS_SMALL if small.sign > 0 else IS_LARGE)
     return replace(decision, assumptions=(*decision.assumptions, text))

@@ -173,11 +173,13 @@ from symbalance.notes.checking.steps.results_in_turn import unless_wrong_in_turn
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.rival_cases import RivalCases
 from symbalance.notes.checking.steps.roots_by_kind import unless_of_another_kind
+from symbalance.notes.checking.steps.roots_left_out import with_root_left_out
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
+from symbalance.notes.checking.steps.series_out_of_reach import unless_series_out_of_reach
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.signs_denied import unless_sign_denied
 from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
@@ -279,6 +281,8 @@ _LAST: tuple[_Look, ...] = (
     unless_under_bars,
     unless_units_said_once,
     unless_large_by_words,
+    unless_series_out_of_reach,
+    with_root_left_out,
 )
 """What does so once a relation has been read in its case and its row."""
 

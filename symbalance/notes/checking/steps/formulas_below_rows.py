@@ -1,4 +1,4 @@
-"""Formulas that stand below the rows of numbers they are for: | A | d = 80 mm | V = 452 cm³ |, then V = …
+"""Formulas that stand below the rows of numbers they are for: rows d = 80 mm, V = 452 cm³, then V = d² h.
 
 The rows give the letter a number each, by the numbers of their own. The formula is what they agree with,
 and no claim about the last of them; a row that it contradicts, where another agrees with it, is wrong.

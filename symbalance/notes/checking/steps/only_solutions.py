@@ -98,7 +98,7 @@ def unless_not_the_only(state: JudgingState, chain: Chain, k: int, verdict: Verd
     if verdict.verdict not in (*PROVED_WORDS, CONDITION, PREMISE, DEFINITION):
         return verdict
     said = _said_of_it(state, chain)
-    equation = _equation_of(state, chain) if said else None
+    equation = equation_of(state, chain) if said else None
     if equation is None:
         return verdict
     reason = _why_not(state, chain, equation, said, head.name)
@@ -136,7 +136,7 @@ def _why_not(state: JudgingState, chain: Chain, equation: Chain, said: str, name
         return _third_root(state, chain, equation, name)
     point = solution_lost(sides, (Name(name), value), knowledge)
     shown = ", ".join(f"{plain_text(Name(n))} = {plain_text(v)}" for n, v in (point or {}).items())
-    shown = shown or _another_root(name, sides, value, knowledge)
+    shown = shown or another_root(name, sides, value, knowledge)
     return f"not the only one: {shown} satisfies line {line} too" if shown else ""
 
 
@@ -236,7 +236,7 @@ def _third_root(state: JudgingState, chain: Chain, equation: Chain, name: str) -
     return ""
 
 
-def _another_root(
+def another_root(
     name: str, equation: tuple[Formula, Formula], value: Formula, knowledge: Knowledge
 ) -> str:
     """Return another root of an equation near the one given, found by its sign; "" for none.
@@ -275,7 +275,7 @@ def _root_between(at: Callable[[Fraction], float], low: Fraction, high: Fraction
     return float(middle) if abs(between) < size / 1000 else None
 
 
-def _equation_of(state: JudgingState, chain: Chain) -> Chain | None:
+def equation_of(state: JudgingState, chain: Chain) -> Chain | None:
     """Return the equation that a letter's value solves: the last before it, or one right behind it."""
     head, line = chain.sides[0].node, chain.lines[0]
     behind = _OF_BEHIND.match(state.document.text, chain.end)

@@ -9,6 +9,7 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     cylinders,
     letters,
     omega,
+    period,
     rotation,
     stroke,
     turn_rate,
@@ -87,6 +88,11 @@ _ANGULAR_SPEED = words(
     r"angular\s+(?:speed|velocity)", r"winkelgeschwindigkeit", r"角速度",
     r"(?:circular|angular)\s+frequency", r"kreisfrequenz", r"角(?:振動|周波)数",
     r"(?:speed|velocity)\s+in\s+(?:radians?|rad)(?:\s+per\s+|\s?/\s?)s(?:econd)?",
+)  # fmt: skip
+_PERIOD = words(
+    r"\bperiod\b", r"perioden(?:dauer|zeit)", r"\bperiode\b", r"um(?:lauf|drehungs)(?:zeit|dauer)",
+    r"p[ée]riode\b", r"per[ií]odo\b", r"周期",
+    r"time\s+(?:of|for)\s+(?:one|a|each)\s+(?:revolution|turn|oscillation)",
 )  # fmt: skip
 _ROTATIONAL_SPEED = words(
     r"rotational\s+(?:speed|frequency)", r"speed\s+of\s+rotation", r"(?:engine|shaft|crankshaft)\s+speed",
@@ -167,6 +173,17 @@ ENGINE_RATES: tuple[Quantity, ...] = (
             60 * PI * omega, 30 * omega,
         ),
         unless=_OTHER_SPEED, is_by_unit=True,
+    ),
+    Quantity(
+        "period by the angular frequency", letters("T tau"), _PERIOD, (2 * PI / omega,), (),
+        mistakes=(1 / omega, omega / (2 * PI), 2 * PI * omega, 1 / (2 * PI * omega)),
+        unless=words(r"half|halbe|firing|zünd|damp|gedämpf|減衰|beat|schwebung|order|ordnung|次"),
+    ),
+    Quantity(
+        "angular frequency by the period", letters("omega Omega"), _ANGULAR_SPEED,
+        (2 * PI / period,), (),
+        mistakes=(1 / period, period / (2 * PI), 2 * PI * period, 1 / (2 * PI * period)),
+        unless=words(r"half|halbe|damp|gedämpf|減衰|beat|schwebung|order|ordnung|次"),
     ),
     Quantity(
         "time of a turn of the crank", letters("t Delta_t T tau"),
