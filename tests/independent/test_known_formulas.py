@@ -202,6 +202,7 @@ CASES = {
     ],
     "moment of inertia of a disc about its axis": [(MOVING, disc_inertia())],
     "moment of inertia of a solid disc": [(MOVING, disc_inertia())],
+    "moment of inertia of a disc about its axle": [(MOVING, disc_inertia())],
     "moment of inertia of a thin ring about its axis": [
         (MOVING, sum(float(MASS) / 100 * abs(float(RADIUS) * mp.expj(k)) ** 2 for k in range(100)))
     ],

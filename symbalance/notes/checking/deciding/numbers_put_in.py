@@ -37,6 +37,8 @@ MOST_ZEROS = 40
 """Of a power of ten that a number is printed with."""
 _SCALES = (1.0, 1e-3, 1e3, 1e-6, 1e6)
 """A value in mm, kN or MPa is put in as it is typed."""
+_POWERS = tuple(10.0**power for power in range(-9, 10))
+"""A result of 122700 is put in as 1.227 times a power of ten."""
 _ROUNDING = 1 + 1e-9
 _EXACTLY = 1e-9
 _DEGREES = (15, 18, 22.5, 30, 36, 40, 45, 360 / 7, 54, 60, 72, 75)
@@ -152,7 +154,7 @@ def may_be_rounded(number: Number, printed: Collection[float]) -> bool:
 
 
 def _is_same(value: float, other: float) -> bool:
-    return any(math.isclose(value * scale, other, rel_tol=1e-9) for scale in _SCALES)
+    return any(math.isclose(value * scale, other, rel_tol=1e-9) for scale in _POWERS)
 
 
 def _half(number: Number) -> float:

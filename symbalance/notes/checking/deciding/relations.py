@@ -27,6 +27,7 @@ from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.open_sums import NUMBERS_WITHOUT_END, has_open_numbers
 from symbalance.notes.algebra.sums import NO_EQUAL_TERMS, indexed_letters
+from symbalance.notes.checking.deciding.antiderivatives import decide_antiderivatives
 from symbalance.notes.checking.deciding.branches import decide_branches, has_branches
 from symbalance.notes.checking.deciding.common_factors import without_common_factor
 from symbalance.notes.checking.deciding.equality import (
@@ -457,13 +458,28 @@ def _terms_without_values(left: Formula, right: Formula, knowledge: Knowledge) -
     return ""
 
 
+def _decide_of_its_own(
+    left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
+) -> Decision | None:
+    """Return the decision on matrices, integrals without bounds, or powers of a letter; else None."""
+    if is_of_matrices(left, right, knowledge):
+        return decide_matrices(left, right, sign, knowledge)
+
+    def decide_derivatives(one: Formula, other: Formula, known: Knowledge) -> Decision:
+        return _decide_reading(one, other, sign, known, through)
+
+    by_derivatives = decide_antiderivatives(left, right, knowledge, decide_derivatives)
+    if by_derivatives is not None or not states_powers(left, right):
+        return by_derivatives
+    return decide_powers(left, right, sign, knowledge)
+
+
 def _decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None
 ) -> Decision:
-    if is_of_matrices(left, right, knowledge):
-        return decide_matrices(left, right, sign, knowledge)
-    if states_powers(left, right):
-        return decide_powers(left, right, sign, knowledge)
+    of_its_own = _decide_of_its_own(left, right, sign, knowledge, through)
+    if of_its_own is not None:
+        return of_its_own
     if has_branches(left, right, knowledge):
 
         def decide_branch(one: Formula, other: Formula, known: Knowledge) -> Decision:

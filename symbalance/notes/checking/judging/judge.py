@@ -63,6 +63,7 @@ from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.carried_values import ONE_IS_WRONG
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles, unless_solved_for_wave
+from symbalance.notes.checking.steps.angular_speeds_by_turns import by_turns_counted
 from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
 from symbalance.notes.checking.steps.another_body import (
     leave_body,
@@ -100,6 +101,7 @@ from symbalance.notes.checking.steps.changing_letters import changing_letters, w
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
+from symbalance.notes.checking.steps.conditions_restated import unless_condition_again
 from symbalance.notes.checking.steps.cosines_of_no_angle import unless_of_no_angle
 from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
@@ -168,6 +170,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_rates,
 )
 from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
+from symbalance.notes.checking.steps.rearranged_line_before import by_line_before
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
 from symbalance.notes.checking.steps.results_in_turn import unless_wrong_in_turn
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
@@ -195,6 +198,7 @@ from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
 from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
+from symbalance.notes.checking.steps.what_stays_the_same import unless_other_things_change
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
 from symbalance.notes.checking.steps.zeros_in_cases import unless_false_zero
 from symbalance.notes.checking.units.conversions import decide_conversion
@@ -283,6 +287,10 @@ _LAST: tuple[_Look, ...] = (
     unless_large_by_words,
     unless_series_out_of_reach,
     with_root_left_out,
+    unless_condition_again,
+    by_turns_counted,
+    by_line_before,
+    unless_other_things_change,
 )
 """What does so once a relation has been read in its case and its row."""
 
@@ -373,7 +381,10 @@ class Judge:
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)
             node = datum.sides[1].node
             if earlier is not None and not earlier.numeric:
-                if earlier.node == self.places_of_tables.get(name):  # z_1 = 2a, and here another table
+                is_of_table = earlier.node == self.places_of_tables.get(name)  # z_1 = 2a, another table
+                is_indexed = re.fullmatch(r"[^\W\d]+_\d+", name) is not None
+                same_section = self.state.sections.same_section(earlier.line, datum.lines[0])
+                if is_of_table or (is_indexed and not same_section):
                     self.state.definitions.define(name, node, datum)
                     self.places_of_tables[name] = node
                 continue

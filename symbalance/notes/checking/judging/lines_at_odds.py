@@ -61,12 +61,24 @@ _ORDERS = ("n", "k", "m", "p", "i", "j", "nu", "h")
 """Letters of orders, as indices of what is given for any of them."""
 MOST_LINES = 3
 """Lines that a verdict names."""
+LEADING = 120
+"""Characters between equations and what words say that they come to."""
 _MULTIPLIED_OUT = re.compile(
     r"ausmultipli|multipl\w+\s+(?:it\s+|this\s+|them\s+)?out|expanding|expand\w*\s+the\s+(?:product|brackets)"
-    r"|klammern\s+auf|en\s+développant|desarrollando|sviluppando|展開する",
+    r"|klammern\s+auf|en\s+développant|desarrollando|sviluppando|展開する"
+    r"|(?:with|using|from)\s+(?:the|these|both|our)\s+(?:\w+\s+)?(?:definitions|relations|equations|formulas)"
+    r"|mit\s+(?:den|diesen|beiden)\s+(?:\w+\s+)?(?:Definitionen|Beziehungen|Gleichungen|Formeln)"
+    r"|avec\s+(?:les|ces)\s+(?:\w+\s+)?(?:définitions|relations|équations)|これらの(?:定義|式|関係)",
     re.IGNORECASE,
 )
-"""Words by which what follows is the same as what stands above."""
+"""Words by which what follows is the same as what stands above, or comes of it."""
+_SOLVED = re.compile(
+    r"(?<![^\W\d_])(?:solutions?|solv\w+|whence|so\s+that|hence|therefore|gives?|yields?|follows"
+    r"|lösung|auf(?:ge)?lös\w*|lösen|folgt|ergibt|ergeben|daraus|somit|résol\w+|d['’]où|donc|il\s+vient"
+    r"|soluzione|risolv\w+|da\s+cui|quindi|solución|resolv\w+|de\s+donde|luego)(?![^\W\d_])|解くと|解は|より|よって",
+    re.IGNORECASE,
+)
+"""Words by which what follows is what equations come to."""
 
 
 def note_other_case(
@@ -109,6 +121,7 @@ def note_other_case(
             or any(isinstance(part, Summation) for part in walk(against.node))
             or _SUM.search(state.document.source(chain.sides[k].span)) is not None  # written out since
             or _is_multiplied_out(state, chain, k, knowledge)
+            or _is_said_to_solve(state, chain, k, rows)
             or angle_there(state, chain, k, knowledge) is not None
             or (is_result and (k > 0 or is_at_number))
         )
@@ -136,6 +149,17 @@ def _is_multiplied_out(state: JudgingState, chain: Chain, k: int, knowledge: Kno
     above = knowledge.definitions.get(head.name) if isinstance(head, Name) else None
     is_near = above is not None and not above.numeric and above.line >= chain.lines[0] - DISPLAYS
     return is_near and _MULTIPLIED_OUT.search(state.sections.sentence_leading_to(chain)) is not None
+
+
+def _is_said_to_solve(state: JudgingState, chain: Chain, k: int, rows: Sequence[int]) -> bool:
+    """Tell whether words say that a letter's formula is what the equations right above come to."""
+    head, line = chain.sides[k].node, chain.lines[0]
+    if k or not isinstance(head, Name) or rows[-1] < line - DISPLAYS:
+        return False
+    given = [p for p in state.definitions.premises_at(line) if p.line in rows and head.name in p.names]
+    before = state.sections.chain_before(chain.start)
+    words = "" if before is None else state.document.text[before.end : chain.start]
+    return bool(given) and len(words) < LEADING and _SOLVED.search(words) is not None
 
 
 def _is_of_roots_of_unity(state: JudgingState, chain: Chain, rested_on: Sequence[Definition]) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
-from symbalance.document.formula import Derivative, walk
+from symbalance.document.formula import Derivative, names, walk
 from symbalance.notes.checking.declared.sidecar import Declarations
 from symbalance.notes.checking.meant.left_sides import head_of
 from symbalance.notes.checking.premises.definitions import Definitions
@@ -20,12 +20,15 @@ _KIND = (
     r"(?:exercise|problem|question|task|aufgabe|übung|exercice|problème|esercizio|ejercicio|problema"
     r"|opgave|uppgift|zadanie|příklad|задача)"
 )
+_MARK = r"(?:#{1,6} ?|=+ ?|\\(?:sub)*section\*?\{|\\paragraph\*?\{)"
 _HEADING = re.compile(
-    r"^[ \t]{0,3}(?:#{1,6} ?|=+ ?|\\(?:sub)*section\*?\{|\\paragraph\*?\{)?"
-    r"(?:[*_]{1,3}|\\textbf\{)?"
-    rf"{_KIND}\s?(?:No\.?|Nr\.?|n°|№)?\s?[0-9]{{1,2}}(?![0-9]|[.,][0-9])",
+    rf"^[ \t]{{0,3}}{_MARK}?(?:[*_]{{1,3}}|\\textbf\{{)?"
+    rf"{_KIND}\s?(?:No\.?|Nr\.?|n°|№)?\s?[0-9]{{1,2}}(?![0-9]|[.,][0-9])"
+    rf"|^[ \t]{{0,3}}{_MARK}\s?(?:[0-9]{{1,2}}(?:\.[0-9]{{1,2}})?[.)]?\s+)?"
+    rf"(?P<alone>{_KIND})(?=\s*[:.–—(])",
     re.IGNORECASE | re.MULTILINE,
 )
+"""A numbered problem, or a heading that calls its section one: "6. Exercise: a single cylinder"."""
 _POINTS_BACK = re.compile(
     rf"\b{_KIND}s?\s?(?:No\.?|Nr\.?)?\s?\(?[0-9]{{1,2}}\)?(?![0-9])"
     r"|\b(?:above|before|previous(?:ly)?|earlier|former|as\s+in|of\s+part|oben|obige[nrsm]?|vorher\w*|vorige[nrsm]?"
@@ -48,6 +51,7 @@ class OwnExercises:
         matches = list(_HEADING.finditer(text))
         ends = [*(match.start() for match in matches[1:]), len(text)]
         self.starts = [text.count("\n", 0, match.start()) + 1 for match in matches]
+        self.are_alone = [match["alone"] is not None for match in matches]
         self.are_own = [
             _POINTS_BACK.search(text, match.end(), end) is None
             for match, end in zip(matches, ends, strict=False)
@@ -60,20 +64,29 @@ class OwnExercises:
         if own <= self.current:
             return
         self.current = own
-        if own == 1 or not self.are_own[own - 1]:
+        is_first = own == 1 and not self.are_alone[0]  # what stands above problem 1 is of them all
+        if is_first or not self.are_own[own - 1]:
             return
-        anew = self._letters_given(own) - set(declarations.symbols_at(line))
+        declared = set(declarations.symbols_at(line))
+        anew = self._letters_given(own) - declared
         for name in anew:
             definitions.forget_all(name)
+        for name in self._letters_given(own, in_numbers=True) & declared:
+            definitions.forget_all(name)  # what it means is said for the page, its number is not
         definitions.premises = [p for p in definitions.premises if not p.names & anew]
 
-    def _letters_given(self, number: int) -> set[str]:
-        """Return the letters that an exercise gives a value or moves by differential equations."""
+    def _letters_given(self, number: int, *, in_numbers: bool = False) -> set[str]:
+        """Return the letters that an exercise gives a value or moves by differential equations.
+
+        With `in_numbers` only those whose relation ends in a number: T_m = P/ω_m = 191 N m.
+        """
         first = self.starts[number - 1]
         last = self.starts[number] if number < len(self.starts) else None
         own: set[str] = set()
         for chain in self.chains:
             if chain.lines[0] < first or (last is not None and chain.lines[0] >= last):
+                continue
+            if in_numbers and names(chain.sides[-1].node):
                 continue
             head = head_of(chain.sides[0].node) if chain.relations else None
             own |= {head} if head is not None else set()

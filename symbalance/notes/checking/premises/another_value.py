@@ -628,11 +628,14 @@ def _define_case_anew(
         return refusal
     bare = without_dots(value)[0]
     end: int | None = None
-    if not names(bare) and names(earlier.node) and name not in knowledge.angles:
+    turning = _turning_behind(name, earlier.node, knowledge)
+    # z_2 = -d/2, then z_2 = 0 with three cylinders: no d is zero for that
+    is_possible = turning or isinstance(earlier.node, Sum) or bare != Number(Fraction(0))
+    if not names(bare) and names(earlier.node) and name not in knowledge.angles and is_possible:
         end = definitions.sections.section_end(line)  # u = 2v, then u = 6: 2v is 6 here
         end = min(end, definitions.end_of_place(earlier.node, line) or end)
         end = min(end, line) if definitions.sections.is_labelled_item(line) else end
-        if turning := _turning_behind(name, earlier.node, knowledge):
+        if turning:
             end = min(end, definitions.sections.case_end(line))  # v = 0 at one moment, and not below
         premise = Premise(earlier.node, bare, line, end)
         definitions.premises.append(premise)

@@ -383,7 +383,7 @@ class Definitions:
             self.sections.running.is_of_a_moment(n, behind, chain.start) for n in premise.names
         ) or (
             len(premise.names & angles) == 1
-            and not names(premise.right)
+            and (not names(premise.right) or self._is_at_crank_angle(premise, symbols))
             and roles <= {*_OF_CRANK_ANGLE, *CONSTANT, "crank angle"}
         )
         if is_moment or premise.names <= angles:
@@ -393,6 +393,13 @@ class Definitions:
         turned = [n for n, text in symbols.items() if is_motion and role_of(text) == "crank angle"]
         for name in {*(premise.names & angles), *turned}:
             self.open_conditions[name] = premise
+
+    @staticmethod
+    def _is_at_crank_angle(premise: Premise, symbols: Mapping[str, str]) -> bool:
+        """Tell whether an equation says where a crank angle is, in letters of an engine: tan θ = l/r."""
+        own = {n: role_of(symbols.get(n, "")) for n in premise.names}
+        is_of_it = {own[n] for n in names(premise.left)} == {"crank angle"}
+        return is_of_it and all(own[n] in CONSTANT for n in names(premise.right))
 
     def open_condition(self, name: str, line: int) -> Premise | None:
         """Return the condition on an angle that its value on a line would solve; None for none."""

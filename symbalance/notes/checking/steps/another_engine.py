@@ -28,7 +28,7 @@ _KIND = (
     r"(?:force|couple|moment|torque|kraft|kräfte|paar|effort|fuerza|par|forza|coppia|momento|força|binário"
     r"|力)"
 )
-_ORDER = r"(?:order|ordnung|ordre|orden|ordine|ordem|次)"
+_ORDER = r"(?:primary|secondary|primär|sekundär|order|ordnung|ordre|orden|ordine|ordem|次)"
 _OF_AN_ORDER = re.compile(rf"{_KIND}.{{0,40}}{_ORDER}|{_ORDER}.{{0,40}}{_KIND}", re.IGNORECASE)
 """What a letter is declared as that is of each engine by itself: couple of the second order."""
 

@@ -104,7 +104,10 @@ def refuted_by_nearest(
     behind -= {left.node.name} if isinstance(left.node, Name) else set()
     given = {name: _numbers_given(state, name, chain) for name in sorted(behind & values.keys())}
     wrong = {(each.name, each.line) for each in state.wrong_numbers.results}
-    given = {n: [c for c in chains if (n, c.lines[0]) not in wrong] for n, chains in given.items()}
+    given = {
+        n: [c for c in chains if (n, c.lines[0]) not in wrong and c.sides[1].span[0] not in state.refuted]
+        for n, chains in given.items()
+    }
     given = {name: c for name, c in given.items() if len(c) > 1 and knowledge.definitions[name].numeric}
     nearest = {name: chains[0] for name, chains in given.items()}
     older = {name: chains[1] for name, chains in given.items()}

@@ -75,6 +75,28 @@ def _tied_otherwise(
     return None
 
 
+def decide_by_equation(
+    equation: tuple[Formula, Formula], head: Name, right: Formula, knowledge: Knowledge
+) -> Decision | None:
+    """Return whether a letter grows as claimed where all but two letters of an equation stay as they are.
+
+    None where the claim is in several letters, or the equation ties them by no power.
+    """
+    if len(names(right)) != 1:
+        return None
+    (name,) = names(right)
+    bare = _of_any_size(names(equation[0]) | names(equation[1]) | {head.name}, knowledge)
+    scaled = Product((Name(_TIMES), Name(name)))
+    for claimed in (right, *(_power(name, exponent) for exponent in _POWERS)):
+        grown = Product((head, Quotient(substitute(claimed, name, scaled), claimed)))
+        before, after = (Product(pair) for pair in _crosswise(*equation, head.name, grown, name))
+        if decide(lone_side(before), lone_side(after), "=", bare).is_proved:
+            if claimed is right:
+                return Decision(PROVED)
+            return Decision(REFUTED, f"{plain_text(head)} grows as {plain_text(claimed)}")
+    return None
+
+
 def _crosswise(
     first: Formula, second: Formula, head: str, grown: Formula, name: str
 ) -> tuple[tuple[Formula, Formula], tuple[Formula, Formula]]:

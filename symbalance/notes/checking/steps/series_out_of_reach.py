@@ -115,13 +115,12 @@ def _is_entire(node: Formula, name: str) -> bool:
             return False
         if isinstance(part, Call) and part.function not in _ENTIRE and name in names(part.argument):
             return False
-        is_power = isinstance(part, Power) and name in names(part.base)
-        if is_power and not (isinstance(part.exponent, Number) and _is_natural(part.exponent)):
+        if isinstance(part, Power) and name in names(part.base) and not _is_natural(part.exponent):
             return False
         if isinstance(part, Apply) and any(name in names(each) for each in part.arguments):
             return False
     return True
 
 
-def _is_natural(number: Number) -> bool:
-    return number.value.denominator == 1 and number.value >= 0
+def _is_natural(exponent: Formula) -> bool:
+    return isinstance(exponent, Number) and exponent.value.denominator == 1 and exponent.value >= 0

@@ -25,6 +25,9 @@ from symbalance.notes.checking.steps.stated_matrices import fix_matrix
 from symbalance.notes.checking.verdicts import CONTRADICTION, PREMISE, REFUTED, STATED, UNDECIDED
 from symbalance.notes.reading.equations import Chain, Side
 
+_NEAR = 200
+"""Characters of a sentence before a relation in which another one may have said what is wrong."""
+
 
 def unless_given(
     state: JudgingState, chain: Chain, k: int, against: Side, decision: Decision, knowledge: Knowledge
@@ -148,6 +151,15 @@ def _by_solved_letters(
     return replace(decision, reason=by_numbers.reason) if by_numbers and is_against else decision
 
 
+def _is_contradicted_above(state: JudgingState, start: int) -> bool:
+    """Tell whether another relation is refuted in the sentence of a place, before it.
+
+    tan A = r/l, "so A = 71.6° and x = …": which of them is wrong is not known, and one has said it.
+    """
+    first = max(state.document.text.rfind(". ", 0, start), start - _NEAR)
+    return any(first < place < start for place in state.refuted)
+
+
 def with_premises(
     state: JudgingState, left: Side, right: Side, sign: str, decision: Decision, knowledge: Knowledge
 ) -> tuple[Decision, bool]:
@@ -172,7 +184,8 @@ def with_premises(
         outcome = Decision(PROVED, f"by {lines}", assumptions=texts, level=by_all.level)
     elif answer is False:
         reason = f"no values satisfy it together with {lines}"
-        outcome = replace(by_all, reason=reason, witness={})
+        is_sure = not _is_contradicted_above(state, right.span[0])
+        outcome = replace(by_all, reason=reason, witness={}, status=REFUTED if is_sure else UNDECIDED)
     elif branched := decide_on_branches(left, right, sign, solved.leftover, knowledge):
         return branched, False
     elif (with_sizes := decide_with_sizes(left, right, sign, solved)) is not None:

@@ -14,6 +14,7 @@ from functools import lru_cache
 
 from symbalance.document.formula import Constant, Formula, Number, Product
 from symbalance.notes.checking.words.case_words import engine_named
+from symbalance.notes.checking.words.cranks_apart import cranks_apart
 from symbalance.text import lazy_patterns as re
 
 _NUMBER = r"[0-9]{1,3}(?:\.[0-9]+)?"
@@ -39,7 +40,9 @@ _OF_CRANKS = re.compile(
 )
 _CRANK_ANGLE = re.compile(r"crank\s*angles?|Kurbelwinkeln?|クランク角度?", re.IGNORECASE)
 _THROWS = re.compile(
-    r"throws|crank\s*pins|kröpfung|cranks?\s+(?:are\s+)?at|_\s*\{?\s*[1ijkn]", re.IGNORECASE
+    r"throws|crank\s*pins|kröpfung"
+    r"|cranks?\s+(?:(?:are|stand|set|placed)\s+){0,2}at|_\s*\{?\s*[1ijkn]",
+    re.IGNORECASE,
 )
 _ANGLES_OF_A_LETTER = re.compile(
     r"(?:\\(?:delta|psi|varphi|phi|alpha|beta|gamma)|[δψφϕαβγ])\s*\$?(?P<several>['’]s)?"
@@ -170,7 +173,8 @@ def crank_angles(text: str) -> tuple[CrankAngles, ...]:
     others = (
         each for each in _in_words(text) if not any(g.start() <= each.place < g.end() for g in groups)
     )
-    lists = [*others, *_by_rows(text), *_by_firing(text), *_by_groups(groups, text)]
+    apart = (CrankAngles(own, _line_at(text, at), at) for own, at in cranks_apart(text))
+    lists = [*others, *_by_rows(text), *_by_firing(text), *_by_groups(groups, text), *apart]
     lists.sort(key=lambda angles: angles.place)
     before = [0, *(angles.place for angles in lists)]
     return tuple(_with_engine(own, first, text) for own, first in zip(lists, before, strict=False))

@@ -102,8 +102,9 @@ _THIN_SPACE = re.compile(r"\\[;:,!]")
 """Spaces typed with signs that end a sentence elsewhere: \\;\\Rightarrow\\; goes on."""
 _CONDITION = re.compile(
     r"(?:(?<![A-Za-z\\{])(?:where|when|whenever|if|setting|set|solve|solving|condition|equation|root|roots|extremum"
-    r"|extrema|maximum|minimum|wo|wenn|falls|setze|setzt|löse|Bedingung|Gleichung|Nullstellen?|Maximum)"
-    r"(?![A-Za-z])|条件|方程式|のとき)[^.;!?$=]{0,40}$",
+    r"|extrema|maximum|minimum|crossings?|cross(?:es)?|intersections?|intersect|wo|wenn|falls|setze|setzt|löse"
+    r"|Bedingung|Gleichung|Nullstellen?|Maximum|Schnittpunkt\w*|schneiden|croisements?|intersecz?i\w+|cruces?)"
+    r"(?![A-Za-z])|条件|方程式|のとき|交点)[^.;!?$=]{0,40}$",
     re.IGNORECASE,
 )
 """Before an equation that is to be solved, not claimed for all angles."""

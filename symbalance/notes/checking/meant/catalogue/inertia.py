@@ -43,6 +43,13 @@ _NO_DISC = (
     r"|parallel axis|steiner|second moment of area|flächenträg|断面"
     r"|half|halb(?!messer)|半円|sector|sektor|pulley|riemenscheibe"
 )
+_ABOUT_AXLE = (
+    r"(?:about|round|around)\s+(?:its|the)\s+(?:own\s+)?(?:axle|axis|shaft|cent(?:re|er)\s?line)\b"
+    r"|um\s+(?:ihre|seine|die)\s+(?:eigene\s+)?(?:dreh|symmetrie)?achse\b|autour\s+de\s+son\s+axe"
+    r"|(?:attorno|rispetto)\s+al\s+(?:proprio\s+|suo\s+)?asse|alrededor\s+de\s+su\s+eje"
+    r"|(?:中心|回転)軸(?:まわり|周り|の)"
+)
+"""Words for the axis of a disc about which it turns, not one of its diameters."""
 INERTIA: tuple[Quantity, ...] = (
     Quantity(
         "moment of inertia of a disc about its axis", letters("J I Theta"),
@@ -61,6 +68,17 @@ INERTIA: tuple[Quantity, ...] = (
                       r"|trägheitsradius|回転半径|edge|point on"),
     ),
     Quantity(
+        "moment of inertia of a disc about its axle", letters("J I Theta"),
+        words(r"\bdis[ck]\b", r"(?:mass\s+)?moment\s+of\s+inertia", r"(?:voll|kreis|schwung)?scheibe\b",
+              r"disque\b", r"\bdisco\b", r"円板", r"円盤"),
+        (mass * radius**2 / 2, mass * diameter**2 / 8),
+        mistakes=(mass * radius**2 / 4, mass * diameter**2 / 16, mass * radius**2, mass * diameter**2 / 4,
+                  mass * diameter**2 / 2, mass * radius / 2),
+        only=both(words(r"\bdis[ck]\b|scheibe\b|disque\b|\bdisco\b|円板|円盤"),
+                  words(_ABOUT_AXLE)),
+        unless=words(_NO_DISC), together=(("", "mass"),),
+    ),
+    Quantity(
         "moment of inertia of a solid disc", letters("J I Theta"),
         words(r"(?:mass\s+)?moment\s+of\s+inertia", r"\binertia", r"(?:massen)?trägheitsmoment",
               r"慣性モーメント"),
@@ -73,7 +91,7 @@ INERTIA: tuple[Quantity, ...] = (
                    r"|dis[ck]\s+of\s+(?:\w+\s+)?(?:radius|diameter|steel|[0-9])"
                    r"|dis[ck][^.;\n]{0,30}(?:thick|diameter)"
                    r"|scheibe[^.;\n]{0,30}(?:durchmesser|dick)|円板"),
-        unless=words(_NO_DISC), together=(("", "mass"),),
+        unless=words(_NO_DISC, _ABOUT_AXLE), together=(("", "mass"),),
     ),
     Quantity(
         "moment of inertia of a thin ring about its axis", letters("J I Theta"),
