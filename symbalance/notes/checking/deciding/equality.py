@@ -19,11 +19,18 @@ from symbalance.notes.algebra.tree_values import DEEPEST, sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import is_lone_number, may_be_rounded
 from symbalance.notes.checking.deciding.parts_apart import parts_apart
-from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals, with_decimals
+from symbalance.notes.checking.deciding.rounding import (
+    agrees_as_printed,
+    decimals,
+    whole_before_unit,
+    with_decimals,
+)
 from symbalance.notes.checking.deciding.substitution import replace_part
 
 NOISE = values.DIGITS - 5
 """Places behind the point at which a number is what computing leaves of 0: a sum of roots of unity."""
+SMALLEST_WHOLE = 100
+"""A whole number of three digits may be what a power that is no root comes to, rounded."""
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 
 
@@ -142,7 +149,9 @@ def _by_trees(
     points = sample_trees([left, right], meaning)
     is_number = bool(points) and not points[0][0]
     if is_number and (
-        _agree_as_typed(left, right, meaning, points[0][1], printed) or _agree_in_part(left, right)
+        _agree_as_typed(left, right, meaning, points[0][1], printed)
+        or _agree_in_part(left, right)
+        or _agree_as_whole(left, right, meaning, points[0][1])
     ):
         return Decision(PROVED, order="the digits printed", assumptions=level.assumptions, level=level)
     for point, pair in points:
@@ -185,6 +194,21 @@ def _agree_as_typed(
     if not margin and (decimals(left) or decimals(right)):
         return _close(*pair)  # 10^(-0.4) by the letters and by the numbers put in
     return bool(margin) and abs(pair[0] - pair[1]) <= margin
+
+
+def _agree_as_whole(left: Formula, right: Formula, meaning: SymbolValue, pair: Sequence[Any]) -> bool:
+    """Tell whether a whole number is what the other side rounds to: 754 K for 300 K · 10^0.4."""
+    for side, other, value, exact in ((right, left, pair[1], pair[0]), (left, right, pair[0], pair[1])):
+        whole = side if isinstance(side, Number) else whole_before_unit(side)
+        if whole is None or whole.last_place is not None or whole.value.denominator != 1:
+            continue
+        if isinstance(other, Number) or abs(whole.value) < SMALLEST_WHOLE:
+            continue
+        moved = replace_part(side, whole, Number(whole.value + Fraction(1, 2)))
+        there = sample_trees([moved], meaning, 1)
+        if there and abs(exact - value) <= abs(there[0][1][0] - value):
+            return True
+    return False
 
 
 def _agree_in_part(left: Formula, right: Formula) -> bool:

@@ -50,7 +50,8 @@ SHORT_WHOLE = 100
 KILO = 1000
 """A power of ten from here on, behind a whole number, is a unit's: 254 kN."""
 MEASURED = 2
-"""Digits of a whole number with a unit, at least, that is a result and rounded: 33° for 360°/11."""
+"""Digits of a whole number with a unit, or of a letter with a formula, at least, that is a result and
+rounded: 33° for 360°/11."""
 
 
 def decimals(node: Formula) -> list[Number]:
@@ -96,13 +97,11 @@ def agrees_as_printed(
         return False
     forms = form_of(left), form_of(right)
     if not any(map(letters, forms)):
-        by_result = _as_result(
-            left, right, (typed_left, typed_right), forms, form_of, generous, printed, stated
-        )
-        if by_result is not None:
-            return by_result
         typed = typed_left, typed_right
         meanings = tuple(_formula_of(node, values or {}) for node in typed)
+        by_result = _as_result(left, right, typed, forms, form_of, generous, printed, stated, meanings)
+        if by_result is not None:
+            return by_result
         return _within_margins(left, right, typed, forms, form_of, generous, printed, meanings)
     is_exact = not decimals(left) and not decimals(right) and not has_coefficients
     if is_exact or not all(form.is_polynomial for form in forms):
@@ -123,11 +122,14 @@ def _as_result(
     generous: bool,
     printed: Collection[float],
     stated: Collection[float],
+    meanings: tuple[Formula | None, ...],
 ) -> bool | None:
     """Tell whether one side is the other, rounded to the decimal it consists of; None where none does."""
     first, second = forms
     for node, value, exact, other_side in ((right, second, first, left), (left, first, second, right)):
-        lone = _lone_decimal(node, other_side, exact, generous)
+        meaning = meanings[0 if other_side is left else 1]
+        lone = _lone_decimal(node, other_side if meaning is None else meaning, exact, generous)
+        lone = lone or _short_result(node, meaning, exact)
         other = _lone_decimal(other_side, node, value, generous)
         if lone is None or (other is not None and _is_finer(lone, other)):
             continue  # of two lone decimals the coarser one is the other, rounded
@@ -214,7 +216,7 @@ def _counts(node: Formula, counted: Collection[int]) -> bool:
 
 
 def _is_result(node: Formula) -> bool:
-    return _is_bare(node) or _whole_before_unit(node) is not None
+    return _is_bare(node) or whole_before_unit(node) is not None
 
 
 def _is_one_of_a_unit(node: Formula, lone: Number) -> bool:
@@ -249,6 +251,13 @@ def _as_printed(
     return Number(number.value, Fraction(10**zeros))
 
 
+def _short_result(node: Formula, meaning: Formula | None, exact: Form) -> Number | None:
+    """Return a whole number that a letter's formula comes to, 34 for 100 sin 20°; None for others."""
+    if meaning is None or not isinstance(node, Number) or node.last_place is not None:
+        return None
+    return _as_printed(node, meaning, exact, generous=False, fewest=MEASURED)
+
+
 def _divides(node: Formula) -> bool:
     """Tell whether an arithmetic of numbers holds a division, as typed: none that a unit brings."""
     return any(
@@ -262,7 +271,7 @@ def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: boo
         return _lone_decimal(node.operand, other_side, exact, generous)
     if isinstance(node, Number):
         return node if node.last_place is not None else _as_printed(node, other_side, exact, generous)
-    if (whole := _whole_before_unit(node)) is not None:
+    if (whole := whole_before_unit(node)) is not None:
         turns = isinstance(node, formula.Product) and isinstance(node.factors[1], formula.Quotient)
         own = (
             exact.over(Form.constant(exact.domain, "pi")) if turns else exact
@@ -278,7 +287,7 @@ def _lone_decimal(node: Formula, other_side: Formula, exact: Form, generous: boo
     return numbers[0] if numbers[0] in node.factors and is_scaled else None
 
 
-def _whole_before_unit(node: Formula) -> Number | None:
+def whole_before_unit(node: Formula) -> Number | None:
     """Return the 452 of 452 cm³, a whole number whose unit is no typed number; None for other sides."""
     if not isinstance(node, formula.Product) or len(node.factors) != 2:
         return None

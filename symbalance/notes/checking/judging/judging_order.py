@@ -37,6 +37,7 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
             is_second = is_second or (own in first and states_a_case(chain))
             is_result = sections.is_consequence(chain) or own in heads_above | with_formula or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
+            is_result = is_result or _is_led_to(document, chain)
             is_result = is_result or _completes_equation(document, sections, chain, by_line[line])
             is_result = is_result or _is_beside_result(document, chain, by_line[line])
             is_case = states_a_case(chain) or is_worked_out_behind(document, chain, by_line[line])
@@ -58,6 +59,20 @@ def _gives_formula(chain: Chain) -> bool:
     return isinstance(chain.sides[0].node, Name) and bool(names(chain.sides[1].node))
 
 
+_LEADS = re.compile(
+    r"(?:gives?|yields?|leads?\s+to|(?:we|one)\s+(?:gets?|obtains?|finds?|ha(?:s|ve))|ergibt(?:\s+sich)?|liefert|folgt"
+    r"|erhält(?:\s+man)?|erhalten\s+wir|donnent?|(?:on|nous)\s+(?:obtient|trouve|obtenons|trouvons)|dà|danno"
+    r"|si\s+(?:ottiene|trova|ha)|resulta|da|dan|obtenemos|se\s+(?:obtiene|tiene))[\s$:(\\]*$",
+    re.IGNORECASE,
+)
+"""Words right before a number by which it is a result."""
+_LEADING = 40
+
+
+def _is_led_to(document: ReadNotes, chain: Chain) -> bool:
+    return _LEADS.search(document.text, max(0, chain.start - _LEADING), chain.start) is not None
+
+
 def _completes_equation(
     document: ReadNotes, sections: Sections, chain: Chain, row: Sequence[Chain]
 ) -> bool:
@@ -71,7 +86,9 @@ def _completes_equation(
     equations = [
         c
         for c in row
-        if c.end <= chain.start and head.name in c.letters and _is_implicit(c)
+        if c.end <= chain.start
+        and head.name in c.letters
+        and (_is_implicit(c) or _is_formula_of(head, c))
         if not (sections.is_only_if(c) or sections.is_said_to_fail(c))
     ]
     if not equations:
@@ -102,6 +119,13 @@ def _is_implicit(chain: Chain) -> bool:
     is_one = len(chain.relations) == 1 and chain.relations[0].sign == "="
     are_sizes = is_one and all(names(s.node) and not isinstance(s.node, Name) for s in chain.sides)
     return are_sizes and len(chain.letters) > 1
+
+
+def _is_formula_of(head: Name, chain: Chain) -> bool:
+    """Tell whether a chain is the formula of another letter in which one stands: t of s = g t²/2."""
+    is_one = len(chain.relations) == 1 and chain.relations[0].sign == "="
+    own = chain.sides[0].node
+    return is_one and isinstance(own, Name) and own != head and head.name in names(chain.sides[1].node)
 
 
 def _cases_before_claims(document: ReadNotes, chains: list[Chain]) -> list[Chain]:

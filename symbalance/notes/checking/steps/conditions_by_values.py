@@ -28,8 +28,8 @@ from symbalance.notes.reading.equations import Chain
 _NOT_NEGATIVE = " ≥ 0"
 _NEAR_LINES = 2
 """Lines around a relation in which a range is said of it."""
-_APART = 1e-6
-"""Relative difference from which two sides are not equal."""
+_APART = 1e-2
+"""Relative difference from which two sides are not equal, whatever was rounded: a sign makes more."""
 
 
 def unless_condition_fails(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:

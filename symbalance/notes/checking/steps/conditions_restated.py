@@ -7,6 +7,7 @@ difference of its sides is the one above, or minus that.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import (
@@ -34,7 +35,7 @@ from symbalance.text import lazy_patterns as re
 _RESTATES = re.compile(
     r"[\s$,;:.()]*(?:(?:i\.\s?e\.|that\s+is(?:\s+to\s+say)?|or|so|hence|thus|which\s+means|that\s+means|d\.\s?h\.|das\s+heißt"
     r"|also|somit|oder|bzw\.|c['’]est-à-dire|soit|donc|cioè|ossia|ovvero|quindi|es\s+decir|o\s+sea|luego)(?![^\W\d_])"
-    r"|すなわち|つまり|よって|\\(?:Rightarrow|Leftrightarrow|iff|implies)(?![A-Za-z])|[⇒⇔])?"
+    r"|すなわち|つまり|よって|\\(?:Rightarrow|implies)(?![A-Za-z])|⇒)?"
     r"(?:[\s$,;:.()\[&]|\\(?:q?quad(?![a-z])|[\\,;\[(]))*",
     re.IGNORECASE,
 )
@@ -70,6 +71,8 @@ def _as_condition(state: JudgingState, before: Chain, chain: Chain) -> Decision 
     """Return that an equation is the condition above with its letters put in; None for another."""
     first, own = (Sum((each.sides[0].node, Negative(each.sides[1].node))) for each in (before, chain))
     knowledge = state.knowledge(chain.lines[0])
+    others = {n: d for n, d in knowledge.definitions.items() if n not in chain.letters}
+    knowledge = replace(knowledge, definitions=others, solved={}, solved_from=())
     is_same = any(
         decide(lone_side(first), lone_side(side), "=", knowledge).is_proved
         for side in (own, Negative(own))
