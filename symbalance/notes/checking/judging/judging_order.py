@@ -31,13 +31,15 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
     for line in sorted(by_line):
         first: dict[frozenset[str], Chain] = {}
         heads_above: set[frozenset[str]] = set()
-        is_second = False
+        is_second, end_of_clause = False, 0
         for chain in by_line[line]:
             own = names(chain.sides[0].node)
             is_second = is_second or (own in first and states_a_case(chain))
             is_result = sections.is_consequence(chain) or own in heads_above | with_formula or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
             is_result = is_result or _is_led_to(document, chain)
+            end_of_clause = _clause_opened(document, chain, by_line[line]) or end_of_clause
+            is_result = is_result or chain.start < end_of_clause
             is_result = is_result or _completes_equation(document, sections, chain, by_line[line])
             is_result = is_result or _is_beside_result(document, chain, by_line[line])
             is_case = states_a_case(chain) or is_worked_out_behind(document, chain, by_line[line])
@@ -71,6 +73,25 @@ _LEADING = 40
 
 def _is_led_to(document: ReadNotes, chain: Chain) -> bool:
     return _LEADS.search(document.text, max(0, chain.start - _LEADING), chain.start) is not None
+
+
+_OPENS = re.compile(
+    r"[.;]\s+(?:for|with|at|if|für|mit|bei|wenn|pour|avec|si|per|con|para)\s+[$(\\]*$", re.IGNORECASE
+)
+"""Words that begin a clause, with a case for what stands behind it."""
+
+
+def _clause_opened(document: ReadNotes, chain: Chain, row: Sequence[Chain]) -> int:
+    """Return where the clause ends that a case begins, right before what it is for; 0 for others.
+
+    "; for x = 3, F = 45": the case is of that number alone, and of nothing before it.
+    """
+    text = document.text
+    if _OPENS.search(text, max(0, chain.start - _LEADING), chain.start) is None:
+        return 0
+    end = re.search(r"[.;]\s|\n\n|$", text[chain.end :])
+    last = chain.end + (end.start() if end else 0)
+    return last if any(chain.end <= other.start < last for other in row) else 0
 
 
 def _completes_equation(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -196,7 +197,9 @@ def _judge_inequality(state: JudgingState, chain: Chain, k: int, knowledge: Know
             shown = ", ".join(sorted(map(plain_letter, others)))
             reason = f"does not follow from the range before it for every {shown}"
             decision = Decision(UNDECIDED, reason)
-        elif claimed.status == REFUTED:
+        elif claimed.status == REFUTED and (
+            by_formula or not _holds_of_sizes(chain, k, letters, near, knowledge)
+        ):
             decision = replace(
                 claimed,
                 reason=claimed.reason if by_formula else "does not follow from the range before it",
@@ -480,6 +483,26 @@ def _by_mean(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) ->
         if earlier is not None and earlier.solved:
             state.definitions.define(head.name, chain.sides[1].node, chain)
     return decision
+
+
+def _holds_of_sizes(
+    chain: Chain,
+    k: int,
+    letters: frozenset[str],
+    near: Sequence[StatedRange],
+    knowledge: Knowledge,
+) -> bool:
+    """Tell whether a range follows where all its letters, several, are positive, though nobody says so.
+
+    T/d² ≤ s gives d ≥ √(T/s) of a shaft; of x alone the negative numbers count.
+    """
+    if len(chain.letters) <= 1:
+        return False
+    above = [
+        StatedRange(Name(n), ">", Number(Fraction(0)), chain.lines[0]) for n in sorted(chain.letters)
+    ]
+    stated = Decision(RANGE)
+    return decide_claimed(chain, k, stated, letters, (*near, *above), knowledge).status != REFUTED
 
 
 def _slip_of_units(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:

@@ -176,7 +176,7 @@ def _letters_that_are_positive(own: StatedRange, given: list[StatedRange], knowl
     if not letters or range_that_fails(own, [*given, *above_zero], knowledge) is not None:
         return ""
     below = StatedRange(Name(letters[0]), "<", Number(Fraction(0)), 0)
-    if range_that_fails(below, [*given, *above_zero], knowledge) is None:
+    if len(letters) == 1 and range_that_fails(below, [*given, *above_zero], knowledge) is None:
         return ""  # of -4y ≥ 8 no positive y is left, of which anything would be true
     return ", ".join(each.text for each in above_zero)
 

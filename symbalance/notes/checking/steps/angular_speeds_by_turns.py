@@ -35,6 +35,7 @@ _TIME = (
 _COUNTED = re.compile(
     rf"(?<![^\W\d_\\])(?P<letter>[nN])\$?\s+(?:{_REVOLUTIONS}{_EACH}{_TIME}|(?P<rpm>r\.?\s?p\.?\s?m\b))"
     r"|毎(?P<minute_ja>分)\s*\$?(?P<letter_ja>[nN])\$?\s*回転",
+    re.IGNORECASE,
 )
 """A letter right before the revolutions that it counts."""
 _OTHER = re.compile(

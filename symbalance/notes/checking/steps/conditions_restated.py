@@ -40,7 +40,6 @@ _RESTATES = re.compile(
     re.IGNORECASE,
 )
 """Words between two equations by which the second is the first one again."""
-_INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 
 
 def unless_condition_again(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -69,6 +68,8 @@ def unless_condition_again(state: JudgingState, chain: Chain, k: int, verdict: V
 
 def _as_condition(state: JudgingState, before: Chain, chain: Chain) -> Decision | None:
     """Return that an equation is the condition above with its letters put in; None for another."""
+    if not all(names(side.node) for side in chain.sides):
+        return None  # |y| = 3, so y = 3, is one solution of two
     first, own = (Sum((each.sides[0].node, Negative(each.sides[1].node))) for each in (before, chain))
     knowledge = state.knowledge(chain.lines[0])
     others = {n: d for n, d in knowledge.definitions.items() if n not in chain.letters}
@@ -111,10 +112,13 @@ def _solved(state: JudgingState, before: Chain, chain: Chain) -> Decision | None
     """Return the proof that a wave's number solves the condition above: tan 2θ = 480/900; else None."""
     wave, number = chain.sides[0].node, chain.sides[1].node
     own = names(wave)
-    if not isinstance(wave, Call) or wave.function not in _INVERSE or names(number) or len(own) != 1:
+    is_tangent = isinstance(wave, Call) and wave.function == "tan"  # a sine's number has two angles
+    if not isinstance(wave, Call) or not is_tangent or names(number) or len(own) != 1:
+        return None
+    if not all(names(side.node) for side in before.sides):
         return None
     (name,) = own
-    angle = Call(_INVERSE[wave.function], number)
+    angle = Call("atan", number)
     if isinstance(wave.argument, Product):
         angle = Quotient(angle, Product(tuple(f for f in wave.argument.factors if names(f) != own)))
     elif wave.argument != Name(name):

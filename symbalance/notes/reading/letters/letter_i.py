@@ -1,7 +1,7 @@
 r"""The letter i of a page that counts by it, the order of a harmonic, told from the imaginary unit.
 
-A page with "harmonic of order $i$", "die Anzahl $i$ der Zylinder" or "i cylinders" and without complex
-numbers means that letter. On every other page a lone i is the imaginary unit.
+A page with "harmonic of order $i$", "die Anzahl $i$ der Zylinder", "i cylinders" or i = 2 and without
+complex numbers means that letter. On every other page a lone i is the imaginary unit.
 """
 
 from __future__ import annotations
@@ -19,6 +19,8 @@ _COUNTS = re.compile(
     r"(?:sverhältnis)?|nombre|numero|número|ordre|ordine|orden|rapport|rapporto|relación|aantal)|次数|気筒数|個数|変速比|減速比)\s*(?:(?:of|de|di|van)\s+(?:(?:the|los|de)\s+)?[a-z]{3,12}\s*)?[はを]?\s*"
     rf"{_I}|{_I}\s*(?:\$|\\\))?(?:\s|-(?:te[rnsm]?|th)\s){_COUNTED}(?![a-z])"
 )
+_GIVEN = re.compile(rf"{_I}[ ]{{0,2}}&?=[ ]{{0,2}}[0-9]")
+"""A number of it, i = 2 for a gear; the imaginary unit has none."""
 _COMPLEX = re.compile(
     r"\^\s*\{?\s*[-−+]?\s*(?:\\mathrm\{)?[ij](?![A-Za-z0-9_])|\\(?:mathrm|imath|text|operatorname)\s*\{\s*i\s*\}|\\imath"
     r"|\\exp\s*(?:\\left)?\s*[({]\s*[-−]?\s*i(?![A-Za-z])|(?<![A-Za-z])exp\s*\(\s*[-−]?\s*i(?![A-Za-z])"
@@ -34,4 +36,5 @@ def counts_by_i(text: str) -> bool:
     >>> counts_by_i("the harmonic of order $i$"), counts_by_i("order $i$ of $e^{i t}$")
     (True, False)
     """
-    return _COUNTS.search(text) is not None and _COMPLEX.search(text) is None
+    is_letter = _COUNTS.search(text) is not None or _GIVEN.search(text) is not None
+    return is_letter and _COMPLEX.search(text) is None
