@@ -445,7 +445,7 @@ class Judge:
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
             if verdict.verdict in PROVED_WORDS and not self.table_rows.has_judged(chain):
-                self.state.results.note(chain, k)
+                self.state.results.note(chain, k, self.state.definitions.given_anew)
             if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
                 self.state.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
