@@ -36,6 +36,7 @@ from symbalance.notes.checking.judging.denied_relations import SAID_WRONG, verdi
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
+from symbalance.notes.checking.judging.numbers_by_label import by_data_of_label
 from symbalance.notes.checking.judging.numbers_in_sentences import by_numbers_in_sentence
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
@@ -298,6 +299,8 @@ class Judge:
     corrects: bool = True
     _judged_last: tuple[tuple[int, int], set[int]] = field(default=((-1, 0), set()), init=False)
     """The relation judged last, and what its letters were before it."""
+    _of_label: set[tuple[int, int]] = field(default_factory=set, init=False)
+    """The relations that are judged by the data of their labels, or have been."""
 
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
@@ -537,6 +540,10 @@ class Judge:
         verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
         verdict = unless_said_again(self.state, chain, k, verdict, again)
+        if (chain.start, k) not in self._of_label:
+            self._of_label.add((chain.start, k))
+            judged_whole = partial(self._link, chain, k, sound, bad)
+            verdict = by_data_of_label(self.state, chain, k, verdict, with_sizes, judged_whole)
         if not self.rivals.are_beside(chain):
             verdict = unless_closed(self.state, chain, k, verdict)
         for look in _LAST:

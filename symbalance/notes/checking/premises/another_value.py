@@ -56,6 +56,8 @@ FEWEST_NEW = 2
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
 
+MOST_GIVERS = 4
+"""Relations above that give a letter its number, the last ones, that labels are compared with."""
 NO_WORDS = "and no words say that it is another case"
 ROUNDED = 0.05
 """Relative difference up to which a number may stand for one with more digits, where words say so."""
@@ -297,6 +299,11 @@ def _is_labelled_otherwise(
         return False
     sections = definitions.sections
     above = sections.chains_above(Name(name), chain.start)
+    if any(definitions.labelled_data.is_another(chain, before) for before in above[-MOST_GIVERS:]):
+        return True
+    is_result = sections.has_formula_above(Name(name), chain.start)
+    if is_result and definitions.labelled_data.numbers_at(chain):
+        return False  # what the data of its label give
     if not above or above[-1].lines[0] != earlier.line or names(above[-1].sides[1].node):
         return False
     if not sections.same_section(earlier.line, chain.lines[0]):

@@ -30,6 +30,7 @@ from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.roots_of_unity import order_of_root
 from symbalance.notes.checking.premises.system import EVERYWHERE, Premise
 from symbalance.notes.checking.verdicts import RANGE
+from symbalance.notes.checking.words.labelled_data import LabelledData
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain
@@ -78,6 +79,7 @@ class Definitions:
 
     declarations: Declarations
     sections: Sections
+    labelled_data: LabelledData
     values: dict[str, list[Entry]] = field(default_factory=dict)
     first_lines: dict[str, int] = field(default_factory=dict)
     """The letters in use, each with the line on which it first stands."""

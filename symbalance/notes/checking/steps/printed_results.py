@@ -105,9 +105,7 @@ class PrintedResults:
             first = first or decision
         return first if first is not None and first.status == REFUTED and not is_letter else None
 
-    def _numbers(
-        self, name: str, knowledge: Knowledge, given_anew: Mapping[str, int]
-    ) -> list[Formula]:
+    def _numbers(self, name: str, knowledge: Knowledge, given_anew: Mapping[str, int]) -> list[Formula]:
         """Return what the page has printed for a letter, none if it stands for something else since."""
         line, printed = self.numbers.get(name, (0, []))
         if not printed or name in knowledge.angles | knowledge.universal:
