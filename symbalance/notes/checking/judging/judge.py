@@ -187,6 +187,7 @@ from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
 from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_words
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.steps.solutions_of_the_first import unless_added_by_squaring
+from symbalance.notes.checking.steps.solved_pairs import unless_pair_is_wrong
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
@@ -277,6 +278,7 @@ _LAST: tuple[_Look, ...] = (
     unless_of_another_kind,
     unless_sign_denied,
     unless_of_a_system,
+    unless_pair_is_wrong,
     unless_value_fails,
     unless_wrong_in_turn,
     unless_at_odds_with_rows,
