@@ -178,6 +178,7 @@ from symbalance.notes.checking.steps.roots_left_out import with_root_left_out
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
+from symbalance.notes.checking.steps.scaled_by_proportion import unless_scaled_against_proportion
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_out_of_reach import unless_series_out_of_reach
@@ -196,6 +197,7 @@ from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_de
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
+from symbalance.notes.checking.steps.values_in_rows import unless_wrong_in_row
 from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
@@ -268,6 +270,8 @@ _LAST: tuple[_Look, ...] = (
     unless_no_root,
     unless_of_no_angle,
     unless_wrong_in_list,
+    unless_wrong_in_row,
+    unless_scaled_against_proportion,
     unless_no_forced_motion,
     unless_another_polynomial,
     unless_of_other_words,
