@@ -36,7 +36,7 @@ from symbalance.notes.checking.judging.denied_relations import SAID_WRONG, verdi
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
-from symbalance.notes.checking.judging.numbers_by_label import by_data_of_label
+from symbalance.notes.checking.judging.numbers_by_label import by_data_of_label, by_datum_behind
 from symbalance.notes.checking.judging.numbers_in_sentences import by_numbers_in_sentence
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
@@ -551,6 +551,7 @@ class Judge:
         if (chain.start, k) not in self._of_label:
             self._of_label.add((chain.start, k))
             judged_whole = partial(self._link, chain, k, sound, bad)
+            verdict = by_datum_behind(self.state, chain, k, verdict, with_sizes)
             verdict = by_data_of_label(self.state, chain, k, verdict, with_sizes, judged_whole)
         if not self.rivals.are_beside(chain):
             verdict = unless_closed(self.state, chain, k, verdict)

@@ -98,6 +98,46 @@ def _by_chosen(
     return describe(state.document, chain, k, Decision(UNDECIDED, reason))
 
 
+_AT = re.compile(
+    r"[\s$)]{0,6}(?:at|for|with|when|where|if|bei|für|mit|wenn|pour|à|avec|quand|per|con|a|para|cuando)\s+\$?\s*",
+    re.IGNORECASE,
+)
+"""Between a result and the datum right behind it: ω = 314 rad/s at n = 3000 rpm."""
+
+
+def by_datum_behind(
+    state: JudgingState, chain: Chain, k: int, verdict: Verdict, again: Callable[[], Verdict]
+) -> Verdict:
+    """Return a verdict that rests on the number that is given right behind a result, and no other one."""
+    is_judged = verdict.verdict in (*PROVED_WORDS, REFUTED) and k + 2 == len(chain.sides)
+    datum = _datum_behind(state, chain, k) if is_judged else None
+    if datum is None:
+        return verdict
+    name, giver = datum
+    there = with_numbers(state, {name: giver}, again)
+    is_refuted = there.verdict == REFUTED and verdict.verdict in PROVED_WORDS
+    if there.verdict in PROVED_WORDS or is_refuted:
+        return there
+    if verdict.verdict == REFUTED:
+        return verdict
+    reason = f"with {shown_numbers({name: giver})} behind it, it is not shown to hold"
+    return describe(state.document, chain, k, Decision(UNDECIDED, reason))
+
+
+def _datum_behind(state: JudgingState, chain: Chain, k: int) -> tuple[str, Chain] | None:
+    """Return what is given right behind a result, where its letter has another number in force."""
+    opened = _AT.match(state.document.text, chain.end)
+    datum = next(state.sections.chains_behind(chain.end - 1), None) if opened else None
+    if opened is None or datum is None or datum.start > opened.end() or not sets_number(datum):
+        return None
+    head, behind = datum.sides[0].node, _behind(state, chain, k)
+    if not isinstance(head, Name) or head.name not in behind or head == chain.sides[0].node:
+        return None
+    now = state.knowledge(chain.lines[0]).definitions.get(head.name)
+    is_other = now is None or (not names(now.node) and now.node != datum.sides[1].node)
+    return (head.name, datum) if is_other else None
+
+
 def _is_in_force(state: JudgingState, name: str, giver: Chain, chain: Chain) -> bool:
     """Tell whether a letter has the number of its label at a relation anyhow."""
     now = state.knowledge(chain.lines[0]).definitions.get(name)

@@ -226,20 +226,28 @@ def _is_by_its_own_data(state: JudgingState, chain: Chain, given: Definition) ->
 
 
 def _is_by_data_of_sentence(state: JudgingState, chain: Chain, behind: set[str]) -> bool:
-    """Tell whether the sentence of a result gives anew all that its formula comes down to."""
+    """Tell whether the sentence of a result gives anew all that its formula comes down to.
+
+    Where it speaks of another case of the same thing and repeats the printed result, one datum will do.
+    """
     sentence, known = state.sections.sentence_before(chain), state.definitions.at(chain.lines[0])
     first = chain.start - len(sentence)
     own = {c.sides[0].node for c in state.sections.chains_between(first, chain.start) if sets_number(c)}
     data = {n for n in behind if n in known and known[n].numeric and known[n].formula is None}
-    if not data or not all(Name(n) in own for n in data) or not all(n in known for n in behind):
+    if not any(Name(n) in own for n in data) or not all(n in known for n in behind):
         return False
     head, value = chain.sides[0].node, chain.sides[1].node
     printed = state.results.numbers.get(head.name, (0, []))[1] if isinstance(head, Name) else []
-    return value in printed or _CASE_OF_IT.search(sentence) is not None
+    is_stale, is_case = value in printed, _CASE_OF_IT.search(sentence) is not None
+    if all(Name(n) in own for n in data):
+        return is_stale or is_case
+    return is_stale and is_case
 
 
 _CASE_OF_IT = re.compile(
-    r"(?<![^\W\d_])(?:cases?|instead|f[aä]ll\w*|stattdessen|statt\s?dessen|cas|au\s+lieu|caso|casi|casos|invece|en\s+cambio)(?![^\W\d_])|場合|代わりに",
+    r"(?<![^\W\d_])(?:cases?|instead|f[aä]ll\w*|stattdessen|statt\s?dessen|cas|au\s+lieu|caso|casi|casos|invece|en\s+cambio"
+    r"|new\s+values?|trials?|tests?|neue[nr]?\s+werte?n?|versuch\w*|nouvelles?\s+valeurs?|essais?|nuovi?o?\s+valor[ei]|prova"
+    r"|nuevos?\s+valor(?:es)?|ensayo)(?![^\W\d_])|場合|代わりに|新しい値",
     re.IGNORECASE,
 )
 """Words for another case of the same thing, whose formulas are the same."""
