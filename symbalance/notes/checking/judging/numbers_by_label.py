@@ -125,7 +125,7 @@ def by_datum_behind(
 
 
 def _datum_behind(state: JudgingState, chain: Chain, k: int) -> tuple[str, Chain] | None:
-    """Return what is given right behind a result, where its letter has another number in force."""
+    """Return what is given right behind a result that rests on it: its letter, and what gives it."""
     opened = _AT.match(state.document.text, chain.end)
     datum = next(state.sections.chains_behind(chain.end - 1), None) if opened else None
     if opened is None or datum is None or datum.start > opened.end() or not sets_number(datum):
@@ -134,8 +134,7 @@ def _datum_behind(state: JudgingState, chain: Chain, k: int) -> tuple[str, Chain
     if not isinstance(head, Name) or head.name not in behind or head == chain.sides[0].node:
         return None
     now = state.knowledge(chain.lines[0]).definitions.get(head.name)
-    is_other = now is None or (not names(now.node) and now.node != datum.sides[1].node)
-    return (head.name, datum) if is_other else None
+    return (head.name, datum) if now is None or not names(now.node) else None
 
 
 def _is_in_force(state: JudgingState, name: str, giver: Chain, chain: Chain) -> bool:
