@@ -36,6 +36,7 @@ from symbalance.notes.checking.judging.denied_relations import SAID_WRONG, verdi
 from symbalance.notes.checking.judging.judging_order import chains_in_turn, number_verdicts
 from symbalance.notes.checking.judging.labelled_cases import by_own_numbers
 from symbalance.notes.checking.judging.lines_at_odds import unless_other_case
+from symbalance.notes.checking.judging.numbers_by_label import by_data_of_label, by_datum_behind
 from symbalance.notes.checking.judging.numbers_in_sentences import by_numbers_in_sentence
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
@@ -180,6 +181,7 @@ from symbalance.notes.checking.steps.roots_left_out import with_root_left_out
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
+from symbalance.notes.checking.steps.scaled_by_proportion import unless_scaled_against_proportion
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
 from symbalance.notes.checking.steps.series_out_of_reach import unless_series_out_of_reach
@@ -188,6 +190,8 @@ from symbalance.notes.checking.steps.signs_denied import unless_sign_denied
 from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
 from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_words
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
+from symbalance.notes.checking.steps.solutions_of_the_first import unless_added_by_squaring
+from symbalance.notes.checking.steps.solved_pairs import unless_pair_is_wrong
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
@@ -196,6 +200,7 @@ from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_de
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
+from symbalance.notes.checking.steps.values_in_rows import unless_wrong_in_row
 from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.what_stays_the_same import unless_other_things_change
@@ -269,15 +274,19 @@ _LAST: tuple[_Look, ...] = (
     unless_no_root,
     unless_of_no_angle,
     unless_wrong_in_list,
+    unless_wrong_in_row,
+    unless_scaled_against_proportion,
     unless_no_forced_motion,
     unless_another_polynomial,
     unless_of_other_words,
     unless_in_degrees,
     unless_of_lower_order,
     unless_not_the_only,
+    unless_added_by_squaring,
     unless_of_another_kind,
     unless_sign_denied,
     unless_of_a_system,
+    unless_pair_is_wrong,
     unless_value_fails,
     unless_wrong_in_turn,
     unless_at_odds_with_rows,
@@ -306,6 +315,8 @@ class Judge:
     corrects: bool = True
     _judged_last: tuple[tuple[int, int], set[int]] = field(default=((-1, 0), set()), init=False)
     """The relation judged last, and what its letters were before it."""
+    _of_label: set[tuple[int, int]] = field(default_factory=set, init=False)
+    """The relations that are judged by the data of their labels, or have been."""
 
     def __post_init__(self) -> None:
         symbols_at = self.declarations.symbols_at
@@ -456,7 +467,7 @@ class Judge:
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
             if verdict.verdict in PROVED_WORDS and not self.table_rows.has_judged(chain):
-                self.state.results.note(chain, k)
+                self.state.results.note(chain, k, self.state.definitions.given_anew)
             if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
                 self.state.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
@@ -548,6 +559,11 @@ class Judge:
         verdict = unless_solved_for_wave(self.state, chain, k, verdict)
         verdict = by_own_row(self.state, chain, k, verdict)
         verdict = unless_said_again(self.state, chain, k, verdict, again)
+        if (chain.start, k) not in self._of_label:
+            self._of_label.add((chain.start, k))
+            judged_whole = partial(self._link, chain, k, sound, bad)
+            verdict = by_datum_behind(self.state, chain, k, verdict, with_sizes)
+            verdict = by_data_of_label(self.state, chain, k, verdict, with_sizes, judged_whole)
         if not self.rivals.are_beside(chain):
             verdict = unless_closed(self.state, chain, k, verdict)
         for look in _LAST:

@@ -81,6 +81,13 @@ _OPENS = re.compile(
 """Words that begin a clause, with a case for what stands behind it."""
 
 
+_PLACE = re.compile(
+    r"(?<![^\W\d_])(?:at|for|when|if|bei|für|wenn|pour|à|quand|si|per|quando|para|cuando|en)\s+[$(\\]*$",
+    re.IGNORECASE,
+)
+"""Words right before a number at which something else is had."""
+
+
 def _clause_opened(document: ReadNotes, chain: Chain, row: Sequence[Chain]) -> int:
     """Return where the clause ends that a case begins, right before what it is for; 0 for others.
 
@@ -104,12 +111,13 @@ def _completes_equation(
     head = chain.sides[0].node
     if not isinstance(head, Name) or not states_a_case(chain):
         return False
+    is_place = _PLACE.search(document.text, max(0, chain.start - _LEADING), chain.start) is not None
     equations = [
         c
         for c in row
         if c.end <= chain.start
         and head.name in c.letters
-        and (_is_implicit(c) or _is_formula_of(head, c))
+        and (_is_implicit(c) or (not is_place and _is_formula_of(head, c)))
         if not (sections.is_only_if(c) or sections.is_said_to_fail(c))
     ]
     if not equations:

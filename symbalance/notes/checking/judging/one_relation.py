@@ -296,7 +296,7 @@ def _judge_step(
     decision = by_special or decision
     is_settled = by_special is not None or is_of_another_size(left.node, right.node, decision)
     if by_special is not None and by_special.status == REFUTED:  # by the number that a letter was printed
-        by_results = state.results.decide(chain, k, knowledge)
+        by_results = state.results.decide(chain, k, knowledge, state.definitions.given_anew)
         decision = by_results if by_results is not None and by_results.is_proved else decision
     if decision.status in (REFUTED, UNDECIDED) and not is_settled:
         below = None if k else solution_below(state.sections, chain, knowledge)

@@ -54,8 +54,8 @@ def by_numbers_spoken_of(
         return _said_of_none(state, chain, k, verdict, every, again)
     if every and verdict.verdict in PROVED_WORDS:
         for chosen in every:
-            if _with(state, chosen, again).verdict not in PROVED_WORDS:
-                reason = f"said of all of them; with {_shown(chosen)} it does not hold"
+            if with_numbers(state, chosen, again).verdict not in PROVED_WORDS:
+                reason = f"said of all of them; with {shown_numbers(chosen)} it does not hold"
                 return describe(state.document, chain, k, Decision(UNDECIDED, reason))
     return _by_spoken(state, chain, k, verdict, spoken, again, is_put_in) if spoken else verdict
 
@@ -73,13 +73,13 @@ def _by_spoken(
     premises, moments = state.definitions.premises, state.definitions.open_conditions
     if is_put_in:
         state.definitions.forget_moment(chain.sides[k + 1].node)  # it would prove itself
-    there = _with(state, spoken, again)
+    there = with_numbers(state, spoken, again)
     if there.verdict in PROVED_WORDS:
         return there
     state.definitions.premises, state.definitions.open_conditions = premises, moments
     if verdict.verdict not in PROVED_WORDS:
         return verdict
-    reason = f"its words speak of {_shown(spoken)}, and with that it does not hold"
+    reason = f"its words speak of {shown_numbers(spoken)}, and with that it does not hold"
     return describe(state.document, chain, k, Decision(UNDECIDED, reason))
 
 
@@ -146,8 +146,8 @@ def _said_of_none(
     It claims nothing, unless it holds with one of them: then what the words say is false.
     """
     for chosen in every:
-        if _with(state, chosen, again).verdict in PROVED_WORDS:
-            reason = f"said not to hold, and with {_shown(chosen)} it does"
+        if with_numbers(state, chosen, again).verdict in PROVED_WORDS:
+            reason = f"said not to hold, and with {shown_numbers(chosen)} it does"
             return describe(state.document, chain, k, Decision(REFUTED, reason))
     if verdict.verdict != REFUTED:
         return verdict
@@ -171,18 +171,26 @@ def _several_numbers(state: JudgingState, chain: Chain, k: int) -> dict[str, tup
     return several
 
 
-def _with(state: JudgingState, chosen: Mapping[str, Chain], again: Callable[[], Verdict]) -> Verdict:
+def with_numbers(
+    state: JudgingState, chosen: Mapping[str, Chain], again: Callable[[], Verdict]
+) -> Verdict:
     """Return the verdict with the numbers that lines give letters."""
     definitions, values = state.definitions, state.definitions.values
+    nodes = {name: entries[-1].definition.node for name, entries in values.items()}
+    resting = {n for n in nodes if not chosen.keys().isdisjoint({n, *names_behind(Name(n), nodes)})}
     definitions.values = {name: [*entries] for name, entries in values.items()}
     for name, entries in definitions.values.items():
+        if name in resting and name not in chosen and entries[-1].definition.rounded is not None:
+            bare = replace(entries[-1].definition, rounded=None)  # as printed for other numbers
+            entries[-1] = replace(entries[-1], definition=bare)
         if name not in chosen and _is_worked_out(entries[-1]):
             entries.extend(_solved_beside(state, entries, chosen))
     for name, giver in chosen.items():
         definition = Definition(giver.sides[1].node, giver.lines[0], numeric=True)
         definitions.values.setdefault(name, []).append(Entry(definition, ()))
+    resting |= chosen.keys()
     printed = state.results.numbers
-    state.results.numbers = {name: each for name, each in printed.items() if name not in chosen}
+    state.results.numbers = {name: each for name, each in printed.items() if name not in resting}
     try:
         return again()
     finally:
@@ -208,7 +216,8 @@ def _is_worked_out(entry: Entry) -> bool:
     return entry.definition.numeric and not entry.definition.node.span[1]
 
 
-def _shown(chosen: Mapping[str, Chain]) -> str:
+def shown_numbers(chosen: Mapping[str, Chain]) -> str:
+    """Return the numbers that lines give letters as words: T = 300 of line 1."""
     return " and ".join(
         f"{plain_text(Name(name))} = {plain_text(c.sides[1].node)} of line {c.lines[0]}"
         for name, c in chosen.items()

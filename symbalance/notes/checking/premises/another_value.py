@@ -47,6 +47,7 @@ from symbalance.notes.checking.verdicts import CONDITION, CONTRADICTION, DEFINIT
 from symbalance.notes.checking.words.angles_of_time import is_time_of_angle
 from symbalance.notes.checking.words.case_labels import are_labels_of_a_kind, label_beside
 from symbalance.notes.checking.words.case_words import numbers_of_several, opens_case
+from symbalance.notes.checking.words.lists_of_data import sets_number
 from symbalance.notes.checking.words.plain_formulas import lone_side, plain_text
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -56,6 +57,8 @@ FEWEST_NEW = 2
 NEARLY = 0.1
 """Relative difference: a second value closer to the first is a slip, not a new case."""
 
+MOST_GIVERS = 4
+"""Relations above that give a letter its number, the last ones, that labels are compared with."""
 NO_WORDS = "and no words say that it is another case"
 ROUNDED = 0.05
 """Relative difference up to which a number may stand for one with more digits, where words say so."""
@@ -180,6 +183,8 @@ def _of_its_own_case(
         reason = f"rounded: line {earlier.line} has more digits"
     elif _is_labelled_otherwise(definitions, name, earlier, value, chain):
         reason = f"another case than in line {earlier.line}, by its label"
+    elif _heads_its_results(definitions, name, value, chain):
+        reason = f"a new case: line {earlier.line} had another value"
     elif _is_of_another_in_its_sentence(definitions, name, value, chain):
         reason = f"of another than in line {earlier.line}: its sentence has both"
     elif value != earlier.node and _each_opens_its_case(definitions, name, value, chain):
@@ -194,6 +199,38 @@ def _of_its_own_case(
         return None
     definitions.define(name, without_dots(value)[0], chain, case_end)
     return Decision(DEFINITION, f"another case than in line {earlier.line}")
+
+
+def _heads_its_results(definitions: Definitions, name: str, value: Formula, chain: Chain) -> bool:
+    """Tell whether a number opens its sentence and leads to what follows from it, as another one does.
+
+    x = 1: y = 3. x = 2: y = 5. So does a number after "but": but x = 5 gives z = 12.
+    """
+    sections = definitions.sections
+    if names(value) or not sets_number(chain):
+        return False
+    text = sections.document.text
+    opened = _OPENS_SENTENCE.fullmatch(sections.sentence_before(chain))
+    if opened is None or sections.has_formula_above(Name(name), chain.start):
+        return False
+    if opened["but"] is not None and _GIVES.match(text, chain.end):
+        return True
+    before = [c for c in sections.chains_above(Name(name), chain.start) if sets_number(c)]
+    return bool(before) and all(_COLON.match(text, c.end) for c in (chain, before[-1]))
+
+
+_OPENS_SENTENCE = re.compile(
+    r"[\s$*_(•-]*(?:(?P<but>but|aber|doch|mais|ma|però|pero|しかし)|and|now|next|finally|und|nun|et|enfin|e|ora|y|ahora|次に)?[\s$(,、]*",
+    re.IGNORECASE,
+)
+"""What may stand before a number that opens its sentence."""
+_COLON = re.compile(r"[\s$)]*[:：](?!=)")
+_GIVES = re.compile(
+    r"[\s$)]*(?:gives?|yields?|leads?\s+to|makes|means|would\s+give|ergibt|gibt|liefert|führt\s+auf|donne|conduit\s+à|dà|porta\s+a|da|lleva\s+a)"
+    r"(?![^\W\d_])|[\s$]*(?:のとき|ならば|では)",
+    re.IGNORECASE,
+)
+"""Words behind a number that lead to what follows from it."""
 
 
 def _is_of_another_in_its_sentence(
@@ -297,6 +334,11 @@ def _is_labelled_otherwise(
         return False
     sections = definitions.sections
     above = sections.chains_above(Name(name), chain.start)
+    if any(definitions.labelled_data.is_another(chain, before) for before in above[-MOST_GIVERS:]):
+        return True
+    is_result = sections.has_formula_above(Name(name), chain.start)
+    if is_result and definitions.labelled_data.numbers_at(chain):
+        return False  # what the data of its label give
     if not above or above[-1].lines[0] != earlier.line or names(above[-1].sides[1].node):
         return False
     if not sections.same_section(earlier.line, chain.lines[0]):

@@ -30,6 +30,7 @@ from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.roots_of_unity import order_of_root
 from symbalance.notes.checking.premises.system import EVERYWHERE, Premise
 from symbalance.notes.checking.verdicts import RANGE
+from symbalance.notes.checking.words.labelled_data import LabelledData
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain
@@ -78,6 +79,7 @@ class Definitions:
 
     declarations: Declarations
     sections: Sections
+    labelled_data: LabelledData
     values: dict[str, list[Entry]] = field(default_factory=dict)
     first_lines: dict[str, int] = field(default_factory=dict)
     """The letters in use, each with the line on which it first stands."""
@@ -93,6 +95,9 @@ class Definitions:
     """Numbers of letters whose formulas are of letters without values, with their lines."""
     solved_from: dict[str, tuple[int, dict[str, Formula | None]]] = field(default_factory=dict)
     """Letters whose number was solved for, with the line and the values of the letters it rests on."""
+
+    given_anew: dict[str, int] = field(default_factory=dict)
+    """Where the relation begins that gave a letter another number than it had, the last one of each."""
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
@@ -138,7 +143,8 @@ class Definitions:
         end = min((n for n in (end, last, own) if n is not None), default=None)
         end = end if names(node) else self._within_place(line, end)
         end = self._within_moment(name, node, chain, end)
-        self._add(name, Entry(definition, self.declarations.scopes_of({name, *names(node)}, line), end))
+        scopes = self.declarations.scopes_of({name, *names(node)}, line)
+        self._add(name, Entry(definition, scopes, end), chain.start)
         self._note_case(chain, frozenset({name}))
         return last_line is not None
 
@@ -175,7 +181,7 @@ class Definitions:
         if not names(node):
             last_line = self._within_place(line, last_line)
         last_line = self._within_moment(constraint.name, node, chain, last_line)
-        self._add(constraint.name, Entry(definition, scopes, last_line))
+        self._add(constraint.name, Entry(definition, scopes, last_line), chain.start)
 
     def mark_as_rough(self, name: str, line: int) -> None:
         """Note that what a line gave a letter is roughly true only, where it has = and means ≈."""
@@ -288,17 +294,18 @@ class Definitions:
         place = Fraction(1, 10 ** len(digits.partition(".")[2])) * scale[0]
         return Number(number, place) if abs(float(number) / value - 1) <= ROUGHER else None
 
-    def _add(self, name: str, entry: Entry) -> None:
+    def _add(self, name: str, entry: Entry, place: int = -1) -> None:
         if entry.definition.numeric:
             self._keep_rates_of(name)
-            self._forget_results_of(name, entry.definition.node)
+            self._forget_results_of(name, entry.definition.node, place)
         self.values.setdefault(name, []).append(entry)
 
-    def _forget_results_of(self, name: str, node: Formula) -> None:
+    def _forget_results_of(self, name: str, node: Formula, place: int) -> None:
         """Forget the numbers printed for formulas of a letter that now gets another number: φ = 60°."""
         former = self.values.get(name)
         if not former or not former[-1].definition.numeric or former[-1].definition.node == node:
             return
+        self.given_anew[name] = place
         nodes = self._nodes()
         for other, entries in self.values.items():
             last = entries[-1].definition

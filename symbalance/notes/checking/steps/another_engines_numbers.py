@@ -32,6 +32,7 @@ from symbalance.notes.checking.words.cases_named import (
     names_another_example,
     names_some_engine,
 )
+from symbalance.notes.checking.words.lists_of_data import sets_number
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -203,7 +204,8 @@ def _is_by_its_own_data(state: JudgingState, chain: Chain, given: Definition) ->
     """Tell whether a letter's number is the result of data of its own case, by a formula of the page.
 
     The case gives anew all that the one before gave for it, or it stands right behind its datum and a
-    colon: with the lighter piston, m = 0.4 kg: F = 4000 N.
+    colon: with the lighter piston, m = 0.4 kg: F = 4000 N. So does a case in one sentence, in the second
+    case r = 50 mm, A = 10000 mm², and what still has the number that was printed for other data.
     """
     formula = given.node if given.formula is None else given.formula
     if not names(formula):
@@ -211,7 +213,7 @@ def _is_by_its_own_data(state: JudgingState, chain: Chain, given: Definition) ->
     line = chain.lines[0]
     values = {name: d.node for name, d in state.definitions.at(line).items()}
     behind = {*names_behind(formula, values)}
-    if state.cases.gives_all_anew(behind, line):
+    if state.cases.gives_all_anew(behind, line) or _is_by_data_of_sentence(state, chain, behind):
         return True
     before = [c for c in state.sections.chains_on(line) if c.end <= chain.start]
     if given.is_coefficient and any(not names(c.sides[-1].node) for c in before):
@@ -221,6 +223,34 @@ def _is_by_its_own_data(state: JudgingState, chain: Chain, given: Definition) ->
         return False
     between = state.document.text[last.end : chain.start]
     return last.sides[0].node.name in behind and _RESULT_COLON.fullmatch(between) is not None
+
+
+def _is_by_data_of_sentence(state: JudgingState, chain: Chain, behind: set[str]) -> bool:
+    """Tell whether the sentence of a result gives anew all that its formula comes down to.
+
+    Where it speaks of another case of the same thing and repeats the printed result, one datum will do.
+    """
+    sentence, known = state.sections.sentence_before(chain), state.definitions.at(chain.lines[0])
+    first = chain.start - len(sentence)
+    own = {c.sides[0].node for c in state.sections.chains_between(first, chain.start) if sets_number(c)}
+    data = {n for n in behind if n in known and known[n].numeric and known[n].formula is None}
+    if not any(Name(n) in own for n in data) or not all(n in known for n in behind):
+        return False
+    head, value = chain.sides[0].node, chain.sides[1].node
+    printed = state.results.numbers.get(head.name, (0, []))[1] if isinstance(head, Name) else []
+    is_stale, is_case = value in printed, _CASE_OF_IT.search(sentence) is not None
+    if all(Name(n) in own for n in data):
+        return is_stale or is_case
+    return is_stale and is_case
+
+
+_CASE_OF_IT = re.compile(
+    r"(?<![^\W\d_])(?:cases?|instead|f[aä]ll\w*|stattdessen|statt\s?dessen|cas|au\s+lieu|caso|casi|casos|invece|en\s+cambio"
+    r"|new\s+values?|trials?|tests?|neue[nr]?\s+werte?n?|versuch\w*|nouvelles?\s+valeurs?|essais?|nuovi?o?\s+valor[ei]|prova"
+    r"|nuevos?\s+valor(?:es)?|ensayo)(?![^\W\d_])|場合|代わりに|新しい値",
+    re.IGNORECASE,
+)
+"""Words for another case of the same thing, whose formulas are the same."""
 
 
 def _has_another_subject(state: JudgingState, chain: Chain, line: int) -> bool:

@@ -72,6 +72,7 @@ from symbalance.notes.checking.units.stated_units import StatedUnits
 from symbalance.notes.checking.verdicts import CONTRADICTION, PROVED_WORDS, REFUTED, STATED
 from symbalance.notes.checking.words.crank_angles_listed import CrankAngles, crank_angles, listed_at
 from symbalance.notes.checking.words.integer_words import integers_said
+from symbalance.notes.checking.words.labelled_data import LabelledData
 from symbalance.notes.checking.words.labels_of_cases import LabelsOfCases
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading import ReadingError, read_equation
@@ -133,7 +134,7 @@ class JudgingState:
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)
-        self.definitions = Definitions(self.declarations, self.sections)
+        self.definitions = Definitions(self.declarations, self.sections, LabelledData(self.sections))
         self.cases = CasesSideBySide(self.document, self.sections, self.data)
         self.stated_units = StatedUnits(self.document)
         self.meant = MeantQuantities(
@@ -218,6 +219,11 @@ class JudgingState:
     def ranges_beside(self) -> RangesBeside:
         """The values that letters have on ranges of others."""
         return RangesBeside(self.sections)
+
+    @property
+    def labelled_data(self) -> LabelledData:
+        """The numbers that labels give to several things: old and new, A and B."""
+        return self.definitions.labelled_data
 
     @cached_property
     def labels_of_cases(self) -> LabelsOfCases:

@@ -7,6 +7,7 @@ behind the letter has another number since.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import islice, product
@@ -34,18 +35,26 @@ class PrintedResults:
     """
 
     numbers: dict[str, tuple[int, list[Formula]]] = field(default_factory=dict)
+    places: dict[str, int] = field(default_factory=dict)
+    """Where the relation begins that printed a letter's numbers last."""
     of_formulas: dict[Fraction, Formula] = field(default_factory=dict)
     """The formulas that printed numbers of three digits stand for: 4549 for m r ω²."""
 
-    def note(self, chain: Chain, k: int) -> None:
-        """Note the number of a letter, or of a formula, that a proved relation gives in its chain."""
+    def note(self, chain: Chain, k: int, given_anew: Mapping[str, int]) -> None:
+        """Note the number of a letter, or of a formula, that a proved relation gives in its chain.
+
+        What the line printed before some letter got another number there is of that other case.
+        """
         head, value = chain.sides[0].node, chain.sides[k + 1].node
         if names(value):
             return
         if isinstance(head, Name):
             line, values = self.numbers.get(head.name, (0, []))
-            own = values if line == chain.lines[0] else []
+            since = max(given_anew.values(), default=-1)
+            is_here = line == chain.lines[0] and self.places.get(head.name, -1) >= since
+            own = values if is_here else []
             self.numbers[head.name] = (chain.lines[0], [value, *own])
+            self.places[head.name] = chain.start
         number = value.factors[0] if isinstance(value, Product) else value
         formula = next((s.node for s in reversed(chain.sides[: k + 1]) if names(s.node)), None)
         is_long = isinstance(number, Number) and significant_digits(number) >= LONG
@@ -62,8 +71,13 @@ class PrintedResults:
                 node = replace_part(node, part, self.of_formulas[part.value])
         return None if node is side.node else replace(side, readings=(node,))
 
-    def decide(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
-        """Return the decision on a number by those of the letters beside it; None where one has none."""
+    def decide(
+        self, chain: Chain, k: int, knowledge: Knowledge, given_anew: Mapping[str, int]
+    ) -> Decision | None:
+        """Return the decision on a number by those of the letters beside it; None where one has none.
+
+        `given_anew` tells where letters got another number than before, perhaps within one line.
+        """
         left, right = chain.sides[k].node, chain.sides[k + 1]
         if not names(left) or not is_lone_number(right.node):
             return None
@@ -73,7 +87,7 @@ class PrintedResults:
             if definition is None or definition.numeric or definition.alternatives:
                 return None
             left = definition.node
-        printed = {name: self._numbers(name, knowledge) for name in sorted(names(left))}
+        printed = {name: self._numbers(name, knowledge, given_anew) for name in sorted(names(left))}
         lacking = [name for name, values in printed.items() if not values]
         if any(number_of(Name(name), knowledge) is None for name in lacking):
             return None
@@ -91,12 +105,17 @@ class PrintedResults:
             first = first or decision
         return first if first is not None and first.status == REFUTED and not is_letter else None
 
-    def _numbers(self, name: str, knowledge: Knowledge) -> list[Formula]:
+    def _numbers(self, name: str, knowledge: Knowledge, given_anew: Mapping[str, int]) -> list[Formula]:
         """Return what the page has printed for a letter, none if it stands for something else since."""
         line, printed = self.numbers.get(name, (0, []))
         if not printed or name in knowledge.angles | knowledge.universal:
             return []
         values = {n: d.node for n, d in knowledge.definitions.items()} | dict(knowledge.meaning.values)
         behind = {name, *names_behind(Name(name), values)}
-        newer = any(n in knowledge.definitions and knowledge.definitions[n].line > line for n in behind)
+        place = self.places.get(name, -1)
+        newer = any(
+            n in knowledge.definitions
+            and (knowledge.definitions[n].line > line or given_anew.get(n, -1) > place)
+            for n in behind
+        )
         return [] if newer or behind & knowledge.angles else printed

@@ -7,6 +7,7 @@ kind that its own words name. So is a cosine whose sign the quadrant of its angl
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from math import pi, sqrt
 
@@ -55,8 +56,11 @@ _BEHIND_THING = re.compile(
     re.IGNORECASE,
 )
 _LEADS = re.compile(
-    r"[\s$({\[,:]*(?:(?:is|are|gives?|being|has|we\s+(?:have|get|find|need|take|want)|so|hence|thus|then|therefore|of\s+(?:it|them|these)|only|namely|i\.e\."
-    r"|ist|lautet|hat|also|daher|somit|davon|est|donc|è|quindi|es|luego|は|が)[\s$({\[,:]*){0,3}\\?"
+    r"[\s$({\[,:]*(?:(?:is|are|gives?|being|has|we\s+(?:have|get|find|need|take|want)|so|hence|thus|then|therefore|of\s+(?:it|them|these|(?:the\s+)?(?:two\s+)?(?:roots|solutions|values))"
+    r"|der\s+(?:beiden\s+)?(?:lösungen|wurzeln)|des\s+(?:deux\s+)?(?:racines|solutions)|delle\s+(?:due\s+)?(?:radici|soluzioni)"
+    r"|de\s+las\s+(?:dos\s+)?(?:raíces|soluciones)|only|namely|i\.e\."
+    r"|ist|lautet|hat|also|daher|somit|davon|est|donc|è|quindi|es|luego|は|が)[\s$({\[,:]*){0,3}\\?",
+    re.IGNORECASE,
 )
 """What may stand between the words of a kind and its number."""
 _NOT = re.compile(
@@ -86,6 +90,44 @@ _LETTER_IS = (
     r"(?:(?:positive?|positi[fv]\w*)(?P<positive>)|(?:negative?|négati[fv]\w*|negativ\w*)(?P<negative>))"
     r"(?![^\W\d_])"
 )
+_ARE_POSITIVE = re.compile(
+    r"(?<![^\W\d_])(?:(?:lengths?|distances?|masses|mass|radi(?:i|us)|sizes|diameters?|times?|areas?|stiffness(?:es)?|pressures?|volumes?)"
+    r"\s+(?:is|are|must\s+be|has\s+to\s+be|have\s+to\s+be|can\s+only\s+be)\s+(?:always\s+)?positive"
+    r"|(?:lengths?|distances?|mass(?:es)?|radi(?:i|us)|sizes?|diameters?|times?|areas?|volumes?)\s+(?:cannot|can\s+not|can\s+never|is\s+never|are\s+never|must\s+not)"
+    r"\s+(?:be\s+)?negative"
+    r"|(?:längen?|abstände?|massen?|radien|radius|zeiten|durchmesser|flächen?)\s+(?:(?:sind|ist|sein\s+muss|müssen|muss)\s+)?(?:immer\s+|stets\s+)?positiv(?![^\W\d_])"
+    r"|(?:längen?|massen?|radien|zeiten)\s+(?:sind\s+nie|können\s+nicht|nicht)\s+negativ"
+    r"|(?:longueurs?|masses?|rayons?|distances?)\s+(?:est|sont|doi(?:t|vent)\s+être)\s+(?:toujours\s+)?positi(?:f|ve)s?"
+    r"|(?:lunghezz[ae]|mass[ae]|ragg[io]+|distanz[ae])\s+(?:è|sono|deve\s+essere|devono\s+essere)\s+(?:sempre\s+)?positiv[aeio]"
+    r"|(?:longitud(?:es)?|masas?|radios?|distancias?)\s+(?:es|son|debe\s+ser|deben\s+ser)\s+(?:siempre\s+)?positiv[ao]s?)"
+    r"|(?:長さ|距離|質量|半径|時間|面積)は(?:常に)?(?:正|負にならない|負ではない)",
+    re.IGNORECASE,
+)
+"""Words by which a quantity that is asked for is positive: because lengths are positive."""
+_NOT_LEFT = re.compile(
+    r"(?<![^\W\d_])(?:not|no|reject\w*|discard\w*|drop\w*|ignor\w*|exclud\w*|except|if|scheide\w*|fällt|entfällt|nicht\s+(?!negativ)|kein\w*|verwerf\w*|verworfen|entfällt|statt|ohne"
+    r"|wenn|falls|pas|rejet\w*|écart\w*|sauf|sans|si|scart\w*|escludi\w*|senza|descart\w*)(?![^\W\d_])|捨て|除",
+    re.IGNORECASE,
+)
+"""Words by which the root behind may be the one that does not count."""
+_DROPS = re.compile(
+    r"[\s$)]*[^.;!?=]{0,30}(?<![^\W\d_])(?:out|away|not|cannot|no|aus|weg|nicht|kein\w*|drop\w*|reject\w*|discard\w*|exclude\w*|impossible|unmöglich"
+    r"|meaningless|sinnlos|impossible|ne|pas|écart\w*|exclue?|scart\w*|esclus\w*|descart\w*|imposible)(?![^\W\d_])|[\s$]*[をは](?:捨|除|不適)",
+    re.IGNORECASE,
+)
+"""Behind a root that may not count."""
+_ANGLE_LIES = (
+    r"(?:(?:is|lies|being|must\s+lie|ist|liegt|liegend|est|se\s+trouve|situé|è|compreso|está|comprendido)"
+    r"\s+){0,2}"
+)
+_BETWEEN = (
+    rf"(?:(?<![A-Za-z\\])\$?(?:{{names}})(?![A-Za-z])\$?|angle|winkel|ángulo|angolo)\s+{_ANGLE_LIES}"
+    r"(?:between|zwischen|entre|tra|fra)\s+\$?(?P<low>-?[0-9]{1,3})\$?\s*(?:°|\^\{?\\circ\}?)?\$?\s+(?:and|und|et|e|y)\s+"
+    r"\$?(?P<high>[0-9]{1,3})\s*(?:°|\^\{?\\circ)"
+    r"|\$?(?<![A-Za-z\\])(?:{names})(?![A-Za-z])\$?\s*[がは]\s*\$?(?P<from>[0-9]{1,3})\s*(?:°|度|\^\{?\\circ\}?)\$?"
+    r"\s*(?:と|から)\s*\$?(?P<to>[0-9]{1,3})\s*(?:°|度|\^\{?\\circ\}?)\$?\s*の間"
+)
+"""Where an angle lies by words: β between 90° and 180°. The letter is put in for the names."""
 _SINE, _COSINE, _TANGENT = (1, 1, -1, -1), (1, -1, -1, 1), (1, -1, 1, -1)
 _SIGNS = {"sin": _SINE, "cos": _COSINE, "tan": _TANGENT}
 """The signs of functions in the four quadrants."""
@@ -115,9 +157,15 @@ def unless_of_another_kind(state: JudgingState, chain: Chain, k: int, verdict: V
 
 def _why_not(state: JudgingState, chain: Chain, head: Name) -> str:
     """Return why a number is not the root that words name, "" where nothing speaks against it."""
-    equation = _equation(state, chain, head)
     number = number_of(chain.sides[1].node, state.knowledge(chain.lines[0]))
-    if equation is None or number is None:
+    if number is None:
+        return ""
+    if _is_angle_asked_for(state, chain, head) and (
+        why := _by_place_of_angle(state, chain, head, float(number))
+    ):
+        return why
+    equation = _equation(state, chain, head)
+    if equation is None:
         return ""
     value, kind = float(number), _kind_named(state, chain, head, equation)
     wrong = {
@@ -136,7 +184,32 @@ def _why_not(state: JudgingState, chain: Chain, head: Name) -> str:
             v for v in others if (v < value - _EPSILON if kind == "smaller" else v > value + _EPSILON)
         ]
         return f"it is not the {kind} one: {worse[0]:.6g} is a root too" if worse else ""
-    return _by_own_quarter(_sentence(state, chain), value) if is_angle else ""
+    return ""
+
+
+def _is_angle_asked_for(state: JudgingState, chain: Chain, head: Name) -> bool:
+    """Tell whether an equation of a wave of a letter stands before its number, in its own sentence."""
+    first = chain.start - len(_sentence(state, chain))
+    above = state.sections.chains_between(first, chain.start)
+    equation = _equation(state, chain, head)
+    above = above if equation is None else [equation, *above]
+    return any(head.name in letters_in_waves(side.node) for other in above for side in other.sides)
+
+
+def _by_place_of_angle(state: JudgingState, chain: Chain, head: Name, value: float) -> str:
+    """Return that an angle does not lie where its sentence says: in a quadrant, between two angles."""
+    sentence = _sentence(state, chain)
+    if why := _by_own_quarter(sentence, value):
+        return why
+    own = "|".join(map(re.escape, {plain_text(head), head.name, f"\\{head.name}"}))
+    found = [*re.compile(_BETWEEN.replace("{names}", own), re.IGNORECASE).finditer(sentence)]
+    if len(found) != 1 or _NOT.search(sentence):
+        return ""
+    low, high = (int(found[0][a] or found[0][b]) for a, b in (("low", "from"), ("high", "to")))
+    degrees = value * 180 / pi
+    if low - _EPSILON <= degrees <= high + _EPSILON:
+        return ""
+    return f"its words name an angle between {low}° and {high}°"
 
 
 def _by_own_quarter(sentence: str, value: float) -> str:
@@ -159,6 +232,11 @@ def _equation(state: JudgingState, chain: Chain, head: Name) -> Chain | None:
     """Return the last equation of one letter before a number that may be one of its roots, or None."""
     stem = head.name.partition("_")[0]
     found = state.sections.equation_before(chain.start, (head.name, stem))
+    last = state.sections.chain_before(chain.start)
+    if last is not None and len(last.relations) > 1 and last.letters <= {head.name, stem}:
+        is_solved = {r.sign for r in last.relations} == {"="} and not names(last.sides[-1].node)
+        if is_solved and len(last.letters) == 1:  # x² - x - 6 = (x - 3)(x + 2) = 0
+            found = replace(last, sides=(last.sides[0], last.sides[-1]), relations=last.relations[:1])
     if found is None or not state.sections.same_section(found.lines[0], chain.lines[0]):
         return None
     return found
@@ -185,9 +263,12 @@ def _kind_named(state: JudgingState, chain: Chain, head: Name, equation: Chain) 
             return _kind_of(match, "b_")
     sentence = _sentence(state, chain)
     written = re.compile(_LETTER_IS.replace("{names}", re.escape(plain_text(head))), re.IGNORECASE)
-    said = written.search(sentence)
-    if said is None or _NOT.search(sentence):
-        return ""
+    near = max(chain.start - _REACH, 0 if before is None else before.end)
+    is_counted = not (_NOT_LEFT.search(text, near, chain.start) or _DROPS.match(text, chain.end))
+    is_positive = is_counted and _ARE_POSITIVE.search(text, near, chain.start) is not None
+    said = None if _NOT.search(sentence) else written.search(sentence)
+    if is_positive or said is None:
+        return "positive" if is_positive else ""
     return "positive" if said["positive"] is not None else "negative"
 
 

@@ -210,7 +210,11 @@ def unless_stated(
         there = decide(chain.sides[k], typed, chain.relations[k].sign, knowledge)
         if there.is_proved:
             return there
-    if not is_solved and (by_results := state.results.decide(chain, k, knowledge)) is not None:
+    if (
+        not is_solved
+        and (by_results := state.results.decide(chain, k, knowledge, state.definitions.given_anew))
+        is not None
+    ):
         head = chain.sides[k].node
         if isinstance(head, Name) and by_results.is_proved:
             state.definitions.define(head.name, chain.sides[k + 1].node, chain)

@@ -21,6 +21,12 @@ _OF_LETTERS = re.compile(
     rf"(?:=|≈|\\approx)[ ]*{_LETTER}(?P<colon>[ ]:[ ]|:)"
     rf"(?={_LETTER}(?:[ ]?[.,;)$]|[ ]*(?:[=≈\n]|$)|[ ][^\W\d_]{{2,}}))"
 )
+_OF_TWO_LETTERS = re.compile(
+    rf"(?<![\w.,:\\]){_LETTER}(?P<colon>[ ]:[ ]|:)"
+    rf"(?={_LETTER}[ ]*(?:[=≈]|\\approx)[ ]*(?:{_NUMBER}|{_LETTER})(?:[ ]:[ ]|:)"
+    rf"(?:{_NUMBER}|{_LETTER})(?![\w:])(?![ ]?:))"
+)
+"""The first half of a proportion: x : y = 2 : 3."""
 _SIGN_BEFORE = re.compile(r"(?:[=≈<>≤≥+−·×*/(]|\\(?:approx|cdot|times)|[ ]-)[ ~]*$")
 _RELATION_BEFORE = re.compile(r"(?:[=≈]|\\approx)[ ~]*$")
 _GOES_ON = re.compile(
@@ -46,15 +52,18 @@ def with_divisions(text: str) -> Rewritten | None:
 
     >>> with_divisions("b = 110 : 2 = 55 mm, λ = r : l").text
     'b = 110 / 2 = 55 mm, λ = r / l'
+    >>> with_divisions("x : y = 2 : 3").text
+    'x / y = 2 / 3'
     >>> with_divisions("Fig. 3 : 4 · 2 = 8, at 12:30, mixed 1 : 4") is None
     True
     """
     colons = [match.span("colon") for match in _RATIO.finditer(text) if _divides(text, match)]
-    colons += [match.span("colon") for match in _OF_LETTERS.finditer(text)]
+    for ratio in (_OF_LETTERS, _OF_TWO_LETTERS):
+        colons += [match.span("colon") for match in ratio.finditer(text)]
     if not colons:
         return None
     rewriter = Rewriter(text)
-    for start, end in sorted(colons):
+    for start, end in sorted({*colons}):
         rewriter.replace(start, end, " / " if end - start > 1 else "/")
     return rewriter.finish()
 
