@@ -82,7 +82,8 @@ _INTRODUCTION = re.compile(
     re.IGNORECASE,
 )
 _DATA = re.compile(
-    r"[\s*_#>]*(?:Data|Given|Gegeben|Daten|Angaben|Zahlenwerte|諸元|データ)[*_]{0,2}\s*[:：]",
+    r"[\s*_#>]*(?:Data|Given|Gegeben|Daten|Angaben|Zahlenwerte|Données|Dati|Datos|諸元|データ)[*_]{0,2}"
+    r"(?:\s[^\n:$=]{1,40})?\s*[:：]",
     re.IGNORECASE,
 )
 """A list of what holds for the page: "piston with pin and rings m = 0.41 kg" is no case."""
@@ -569,7 +570,7 @@ class Sections:
         start = chain.start
         before = self.document.text[max(0, start - LONGEST_INTRODUCTION) : start]
         before = re.split(r"\n\s*\n", before)[-1].rstrip(" \t\n$\\([")
-        if not chain.inline or _DATA.match(first):
+        if not chain.inline or _DATA.match(first) or self._is_item_of_data(line):
             return None
         end = chain.end
         is_case = _CASE_BEHIND.match(self.document.text, end) or _INTRODUCTION.search(before + " ")
@@ -584,6 +585,14 @@ class Sections:
             return self.moment_end(line)
         is_premise = is_case or (is_number and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
+
+    def _is_item_of_data(self, line: int) -> bool:
+        """Tell whether a line is an item of a list that words call data, "Gegeben laut Aufgabenblatt:"."""
+        if not _ROW_OR_ITEM.match(self.lines[line - 1]):
+            return False
+        first = self.paragraph_start(line) - 1
+        above = next((text for text in reversed(self.lines[:first]) if text.strip()), "")
+        return _DATA.match(above) is not None
 
     @cached_property
     def running(self) -> RunningAngles:
