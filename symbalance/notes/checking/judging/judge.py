@@ -96,6 +96,8 @@ from symbalance.notes.checking.steps.another_place import (
     leave_place,
 )
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
+from symbalance.notes.checking.steps.bare_numbers import unless_of_bare_numbers
+from symbalance.notes.checking.steps.candidate_solutions import unless_candidate
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
@@ -131,6 +133,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.large_by_words import unless_large_by_words
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.letters_of_two_meanings import unless_of_another_meaning
 from symbalance.notes.checking.steps.letters_said_anew import (
     as_formula_of_others,
     leave_formula_of_condition,
@@ -160,6 +163,7 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.own_row import by_own_row
+from symbalance.notes.checking.steps.percentages import unless_percent_of_it
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
 from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
@@ -185,6 +189,8 @@ from symbalance.notes.checking.steps.signs_denied import unless_sign_denied
 from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
 from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_words
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
+from symbalance.notes.checking.steps.solved_exercises import SolvedExercises
+from symbalance.notes.checking.steps.speeds_by_two_clocks import unless_by_the_minute
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
@@ -270,6 +276,7 @@ _LAST: tuple[_Look, ...] = (
     unless_of_other_words,
     unless_in_degrees,
     unless_of_lower_order,
+    unless_candidate,
     unless_not_the_only,
     unless_of_another_kind,
     unless_sign_denied,
@@ -283,6 +290,10 @@ _LAST: tuple[_Look, ...] = (
     unless_large_by_words,
     unless_series_out_of_reach,
     with_root_left_out,
+    unless_of_bare_numbers,
+    unless_by_the_minute,
+    unless_of_another_meaning,
+    unless_percent_of_it,
 )
 """What does so once a relation has been read in its case and its row."""
 
@@ -325,6 +336,7 @@ class Judge:
         self.exercises = OwnExercises(self.document)
         self.table_rows = TableRows(self.document)
         self.rivals = RivalCases(self.document)
+        self.solved = SolvedExercises(self.state)
         self.supposed = SupposedNumbers()
         self.places_of_tables: dict[str, Formula] = {}
         """What tables and lists have given letters last: another one gives them another value."""
@@ -345,6 +357,7 @@ class Judge:
             leave_ended_cases(self.state, chain)
             turn_to_opposite_range(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
+            self.solved.enter(chain)
             self.rivals.enter(self.state, chain)
             self.supposed.enter(self.state, chain)
             verdicts += self.chain(chain, chain_binds)

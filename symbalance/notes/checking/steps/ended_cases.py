@@ -36,11 +36,6 @@ _OTHERWISE = re.compile(
     re.IGNORECASE,
 )
 """Words of the opposite of the case before."""
-_GENERALLY = re.compile(
-    r"(?<![^\W\d_\\])(?:in\s+general|generally|im\s+allgemeinen|allgemein|en\s+général|généralement|in\s+generale|en\s+general)(?![^\W\d_])|一般に",
-    re.IGNORECASE,
-)
-"""Words of every case."""
 _REALLY = re.compile(
     r"(?<![^\W\d_\\])(?:in\s+(?:fact|reality|truth)|actually|really|but\s+(?:it|this|that)\s+is(?:\s+not|n't)?|tatsächlich|in\s+Wirklichkeit"
     r"|aber\s+(?:es|das|dem)\s+ist(?:\s+nicht)?|en\s+(?:fait|réalité)|mais\s+ce\s+n'est\s+pas|in\s+realtà|en\s+realidad)(?![^\W\d_])|実際",
@@ -147,7 +142,7 @@ def letters_of_ended(state: JudgingState, chain: Chain) -> frozenset[str]:
         return frozenset()
     words = state.document.text[last.end : chain.start]
     is_range = all(relation.sign in SATISFIED_BY for relation in chain.relations)
-    is_said = _GENERALLY.search(words) or (is_range and _OTHERWISE.search(words))
+    is_said = case_words.is_said_generally(words) or (is_range and _OTHERWISE.search(words))
     letters = frozenset(name for case in state.ended_cases for name in case.letters)
     return letters & chain.letters if is_said else frozenset()
 
@@ -163,7 +158,7 @@ def _ended_by(state: JudgingState, chain: Chain) -> list[Chain]:
     ended: list[Chain] = []
     if _OTHERWISE.search(words[-1]):
         ended = _last_of(cases, text)
-    elif _GENERALLY.search(words[-1]) and (len(words) > 1 or last not in cases):
+    elif case_words.is_said_generally(words[-1]) and (len(words) > 1 or last not in cases):
         ended = [c for c in cases if c.sides[0].node != chain.sides[0].node]
     elif _LABEL.search(text[last.end : chain.start]):
         ended = [c for c in cases if _LABEL_LAST.search(text[max(0, c.start - REACH) : c.start])]
