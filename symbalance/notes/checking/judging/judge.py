@@ -199,6 +199,11 @@ from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_de
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
+from symbalance.notes.checking.steps.values_converted import unless_converted_wrongly
+from symbalance.notes.checking.steps.values_for_formulas import (
+    leave_value_of_formula,
+    unless_by_value_of_formula,
+)
 from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
 from symbalance.notes.checking.steps.zeros_as_printed import unless_zero_as_printed
@@ -294,6 +299,8 @@ _LAST: tuple[_Look, ...] = (
     unless_by_the_minute,
     unless_of_another_meaning,
     unless_percent_of_it,
+    unless_by_value_of_formula,
+    unless_converted_wrongly,
 )
 """What does so once a relation has been read in its case and its row."""
 
@@ -356,6 +363,7 @@ class Judge:
             return_to_case(self.state, chain)
             leave_ended_cases(self.state, chain)
             turn_to_opposite_range(self.state, chain)
+            leave_value_of_formula(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
             self.solved.enter(chain)
             self.rivals.enter(self.state, chain)

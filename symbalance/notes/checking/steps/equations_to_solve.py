@@ -54,11 +54,14 @@ def _is_solved_by_words(state: JudgingState, chain: Chain, k: int) -> bool:
     following = _next(state, chain)
     if following is None or _turns_to_angle(state, chain, following):
         return following is not None
+    is_claimed = chain.relations[k].sign == "≈" and following.relations[0].sign not in "=≈"
+    # 1/(1-x) ≈ 1 + x for x ≪ 1 is claimed there
     is_apart = state.sections.paragraph_start(following.lines[0]) > chain.lines[-1]
     is_of_both = bool(names(chain.sides[k].node) & names(chain.sides[k + 1].node))
     # another paragraph tries a value of its own
     return _is_rearranged_to_value(state, chain, own) or (
-        not (chain.inline and is_of_both and is_apart)
+        not is_claimed
+        and not (chain.inline and is_of_both and is_apart)
         and len(own) == 1
         and isinstance(following.sides[0].node, Name)
         and following.sides[0].node.name in own

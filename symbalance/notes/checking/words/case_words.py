@@ -14,7 +14,7 @@ from symbalance.text import lazy_patterns as re
 _END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
 _CASE = re.compile(
     r"(?<![A-Za-z])(?:for|if|when|whenever|where|at|only for|provided(?:\s+that)?"
-    rf"|as\s+(?:long|soon)\s+as|sobald|dès\s+que|non\s+appena|tan\s+pronto\s+como|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si"
+    rf"|as\s+(?:long|soon)\s+as|sobald|dès\s+que|non\s+appena|tan\s+pronto\s+como|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si(?!\s+(?:ha|ottiene|ricava|trova|vede|tiene|obtiene|encuentra)(?![^\W\d_]))"
     r"|lorsque|quand|para|cuando|per|quando|voor|bij|wanneer|för|vid|när|dla|przy|gdy|při|když"
     rf"|(?:da|alcanza|ocurre|produce|máxim[oa])\s+en|(?:^|[.:]\s)en){_END}|(?:もし|仮に)[^。、]{{0,12}}$",
     re.IGNORECASE,
