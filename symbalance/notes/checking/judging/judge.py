@@ -164,6 +164,7 @@ from symbalance.notes.checking.steps.open_cases import (
 )
 from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.percentages import unless_percent_of_it
+from symbalance.notes.checking.steps.places_in_words import unless_at_another_place
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
 from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
@@ -193,6 +194,7 @@ from symbalance.notes.checking.steps.solved_exercises import SolvedExercises
 from symbalance.notes.checking.steps.speeds_by_two_clocks import unless_by_the_minute
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
+from symbalance.notes.checking.steps.supposed_in_prose import unless_supposed_otherwise
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
 from symbalance.notes.checking.steps.systems_of_formulas import unless_of_a_system
 from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
@@ -275,13 +277,13 @@ _LAST: tuple[_Look, ...] = (
     unless_rate_of_ratio,
     unless_no_root,
     unless_of_no_angle,
+    unless_candidate,
     unless_wrong_in_list,
     unless_no_forced_motion,
     unless_another_polynomial,
     unless_of_other_words,
     unless_in_degrees,
     unless_of_lower_order,
-    unless_candidate,
     unless_not_the_only,
     unless_of_another_kind,
     unless_sign_denied,
@@ -301,6 +303,8 @@ _LAST: tuple[_Look, ...] = (
     unless_percent_of_it,
     unless_by_value_of_formula,
     unless_converted_wrongly,
+    unless_at_another_place,
+    unless_supposed_otherwise,
 )
 """What does so once a relation has been read in its case and its row."""
 

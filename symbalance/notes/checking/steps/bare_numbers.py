@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from types import MappingProxyType
 
-from symbalance.document.formula import Formula, Name, Negative, Number, Sum, names, walk
+from symbalance.document.formula import Constant, Formula, Name, Negative, Number, Sum, names, walk
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import PROVED, Decision
@@ -26,6 +26,7 @@ from symbalance.notes.checking.units.formulas_between_numbers import (
     numbers_with_units,
     typed_number,
 )
+from symbalance.notes.checking.units.own_units import is_divided_by_minute
 from symbalance.notes.checking.verdicts import CONTRADICTION, REFUTED, Verdict
 from symbalance.notes.reading.equations import Chain
 from symbalance.notes.reading.formulas.result_units import value_of, without_unit_of_result
@@ -33,6 +34,8 @@ from symbalance.notes.reading.formulas.result_units import value_of, without_uni
 BARE = "its numbers without a unit are in the units that go with those of the others"
 MOST_BEFORE = 4
 """Relations before a result among which the equation stands that it solves."""
+_PURE = {Fraction(2) ** power for power in range(-5, 6)}
+"""Numbers that a formula between quantities has itself: the 2 of d = 2 r, the 8 of F l/8."""
 _SAME = 1e-9
 """By how much numbers that are put in may differ from those that letters have."""
 
@@ -50,8 +53,10 @@ def unless_of_bare_numbers(state: JudgingState, chain: Chain, k: int, verdict: V
     number, unit = without_unit_of_result(right), result or behind
     if result is not None and not k and _solves_by_numbers(state, chain, result, knowledge):
         return describe(state.document, chain, k, Decision(PROVED, assumptions=(BARE,)))
+    is_law = isinstance(left := chain.sides[k].node, Name)
     for formula in _formulas(state, chain, k):
-        value = _by_numbers(state, formula, unit, knowledge)
+        is_law = is_law and not any(_stem(name) == _stem(left.name) for name in names(formula))
+        value = _by_numbers(state, formula, unit, knowledge, is_law=is_law)
         if value is None:
             continue
         if result is not None:
@@ -87,7 +92,8 @@ def _solves_by_numbers(state: JudgingState, chain: Chain, result: Quantity, know
         if equation is None or not state.sections.same_section(equation.lines[0], chain.lines[0]):
             return False
         is_one = len(equation.relations) == 1 and equation.relations[0].sign == "="
-        if is_one and head.name in equation.letters and equation.sides[0].node != head:
+        is_of_it = is_one and head.name in equation.letters and len(equation.letters) > 1
+        if is_of_it and equation.sides[0].node != head:
             gap = Sum((equation.sides[0].node, Negative(equation.sides[1].node)))
             sizes = (result.value - result.half, result.value + result.half)
             own = [TypedNumber(Number(v), Number(v * result.scale), result.unit) for v in sizes]
@@ -103,17 +109,20 @@ def _by_numbers(
     unit: Quantity | None,
     knowledge: Knowledge,
     own: Mapping[str, TypedNumber] = MappingProxyType({}),
+    *,
+    is_law: bool = False,
 ) -> float | None:
     """Return what a formula with a bare number comes to by the numbers of its letters as printed.
 
-    A letter of the unit's own kind counts in it: 2500 N beside kN as 2.5. None for other formulas.
+    A letter of the unit's own kind counts in it: 2500 N beside kN as 2.5. A law F = 3x between two kinds
+    of quantities has its number bare. None for other formulas.
     """
     letters = names(node)
     typed = {n: own.get(n) or typed_number(n, state.document, knowledge) for n in letters}
     given = {name: pair for name, pair in typed.items() if pair is not None}
     if len(given) != len(typed) or not given or unit is None:
         return None
-    if not (_has_bare_term(state, node, given) or _has_bare_factor(node, given, unit)):
+    if not (_has_bare_term(state, node, given) or (is_law and _has_bare_factor(node, given, unit))):
         return None
     kind = unit_of(unit.unit)
     for name, pair in given.items():
@@ -152,10 +161,18 @@ def _has_bare_term(state: JudgingState, node: Formula, given: Mapping[str, Typed
 
 def _has_bare_factor(node: Formula, given: Mapping[str, TypedNumber], unit: Quantity) -> bool:
     """Tell whether a number is what one quantity is of another by: F = 3x, x in mm and F in N."""
-    if len(given) != 1 or not any(isinstance(p, Number) and abs(p.value) != 1 for p in walk(node)):
+    parts = [*walk(node)]
+    numbers = [abs(part.value) for part in parts if isinstance(part, Number)]
+    is_pure = all(number in _PURE for number in numbers) or any(isinstance(p, Constant) for p in parts)
+    if len(given) != 1 or is_pure or is_divided_by_minute(node):
         return False
     own: Dimension | None = _dimensions(given).side(node, "")
     return own not in (None, NONE) and unit_of(unit.unit) not in (None, NONE, own)
+
+
+def _stem(name: str) -> str:
+    """Return a letter without its subscript: nine volumes V_1 are a volume V."""
+    return name.partition("_")[0]
 
 
 def _dimensions(given: Mapping[str, TypedNumber]) -> Dimensions:

@@ -30,7 +30,9 @@ from symbalance.notes.checking.verdicts import (
 )
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
+_SENTENCE = re.compile(r"[.;:!?]\s|[。；：]|\n\s*\n")
 _SIZES = (2, 7)
 """Numbers for the letters that cancel: what is computed has to be the same with both."""
 MOST_GIVEN = 12
@@ -48,6 +50,8 @@ def unless_by_value_of_formula(state: JudgingState, chain: Chain, k: int, verdic
     is_range = sign in SATISFIED_BY
     if not (is_range or (sign in "=≈" and not names(right.node))):
         return verdict
+    if is_range and not (state.sections.is_consequence(chain) or _is_of_its_sentence(state, chain)):
+        return verdict  # σ = F/A = 120. Required: σ < 100
     node = chain.sides[k].node if is_range else next(_formulas(state, chain, k), None)
     if node is None:
         return verdict
@@ -66,6 +70,13 @@ def unless_by_value_of_formula(state: JudgingState, chain: Chain, k: int, verdic
     is_one = is_one and (found[0].is_proved or not is_against)
     proof = found[0] if found[0].is_proved else replace(found[0], reason="")
     return describe(state.document, chain, k, proof) if is_one else verdict
+
+
+def _is_of_its_sentence(state: JudgingState, chain: Chain) -> bool:
+    """Tell whether a relation stands in one sentence with the one before it."""
+    last = state.sections.chain_before(chain.start)
+    text = state.document.text
+    return last is not None and _SENTENCE.search(text, last.end, chain.start) is None
 
 
 def _is_said_before_case(state: JudgingState, chain: Chain) -> bool:
