@@ -174,6 +174,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 )
 from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
+from symbalance.notes.checking.steps.resultants_in_words import unless_perpendicular
 from symbalance.notes.checking.steps.results_in_turn import unless_wrong_in_turn
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.rival_cases import RivalCases
@@ -305,6 +306,7 @@ _LAST: tuple[_Look, ...] = (
     unless_converted_wrongly,
     unless_at_another_place,
     unless_supposed_otherwise,
+    unless_perpendicular,
 )
 """What does so once a relation has been read in its case and its row."""
 

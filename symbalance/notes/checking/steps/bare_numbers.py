@@ -53,9 +53,10 @@ def unless_of_bare_numbers(state: JudgingState, chain: Chain, k: int, verdict: V
     number, unit = without_unit_of_result(right), result or behind
     if result is not None and not k and _solves_by_numbers(state, chain, result, knowledge):
         return describe(state.document, chain, k, Decision(PROVED, assumptions=(BARE,)))
-    is_law = isinstance(left := chain.sides[k].node, Name)
+    left = chain.sides[k].node
     for formula in _formulas(state, chain, k):
-        is_law = is_law and not any(_stem(name) == _stem(left.name) for name in names(formula))
+        stem = _stem(left.name) if isinstance(left, Name) else ""
+        is_law = bool(stem) and all(_stem(name) != stem for name in names(formula))
         value = _by_numbers(state, formula, unit, knowledge, is_law=is_law)
         if value is None:
             continue

@@ -45,13 +45,11 @@ def unless_by_value_of_formula(state: JudgingState, chain: Chain, k: int, verdic
     is_against = verdict.verdict in (REFUTED, CONTRADICTION)
     is_stale = verdict.verdict in PROVED_WORDS and _is_said_before_case(state, chain)
     is_open = is_against or is_stale or verdict.verdict in (PREMISE, RANGE, UNDECIDED)
-    if not is_open or state.sections.opens_case(chain):
-        return verdict
     is_range = sign in SATISFIED_BY
-    if not (is_range or (sign in "=≈" and not names(right.node))):
+    is_claim = is_range and (state.sections.is_consequence(chain) or _is_of_its_sentence(state, chain))
+    is_claim = is_claim or (sign in "=≈" and not names(right.node))  # and not: required is σ < 100
+    if not (is_open and is_claim) or state.sections.opens_case(chain):
         return verdict
-    if is_range and not (state.sections.is_consequence(chain) or _is_of_its_sentence(state, chain)):
-        return verdict  # σ = F/A = 120. Required: σ < 100
     node = chain.sides[k].node if is_range else next(_formulas(state, chain, k), None)
     if node is None:
         return verdict
