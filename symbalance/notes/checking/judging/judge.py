@@ -97,6 +97,7 @@ from symbalance.notes.checking.steps.another_place import (
 )
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
 from symbalance.notes.checking.steps.bare_numbers import unless_of_bare_numbers
+from symbalance.notes.checking.steps.both_signs import unless_neither_sign
 from symbalance.notes.checking.steps.candidate_solutions import unless_candidate
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
@@ -307,6 +308,7 @@ _LAST: tuple[_Look, ...] = (
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,
+    unless_neither_sign,
 )
 """What does so once a relation has been read in its case and its row."""
 

@@ -1,6 +1,6 @@
 r"""Resultants of perpendicular components that are summed as if they were in line: F = F_x + F_y.
 
-Words call the letter a resultant or a size, and its two terms perpendicular, or their subscripts are those
+Words call the letter a resultant, and its two terms perpendicular, or their subscripts are those
 of two axes. Its square is the sum of theirs. As vectors they may well be added.
 """
 
