@@ -323,6 +323,8 @@ def _claimed_in(state: JudgingState, cases: list[Chain], chain: Chain) -> list[C
         return []
     between = text[last.end : place]
     is_lone = any(isinstance(side.node, Name) for side in chain.sides)
+    if is_lone and chain.relations[0].sign == "≠":
+        return []  # so x ≠ 2: what was supposed is not so
     own_words = between if place == chain.start else ""
     if (is_lone and not _LEADS.fullmatch(own_words or " then ")) or _TURNS.search(between):
         return []

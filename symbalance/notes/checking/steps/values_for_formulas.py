@@ -11,7 +11,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symbalance.document.formula import Formula, Name, Number, names
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY, compare
@@ -35,6 +37,7 @@ from symbalance.text import lazy_patterns as re
 _SENTENCE = re.compile(r"[.;:!?]\s|[。；：]|\n\s*\n")
 _SIZES = (2, 7)
 """Numbers for the letters that cancel: what is computed has to be the same with both."""
+_SAME = 1e-9
 MOST_GIVEN = 12
 """Relations before a result among which a value for a formula is looked for."""
 
@@ -53,11 +56,11 @@ def unless_by_value_of_formula(state: JudgingState, chain: Chain, k: int, verdic
     node = chain.sides[k].node if is_range else next(_formulas(state, chain, k), None)
     if node is None:
         return verdict
+    known = [_with_ratios(state, chain, node, size) for size in _SIZES]
+    if not _cancels(node, known):
+        return verdict
     found: list[Decision] = []
-    for size in _SIZES:
-        knowledge = _with_ratios(state, chain, node, size)
-        if knowledge is None:
-            return verdict
+    for knowledge in filter(None, known):
         left = replace(right, readings=(node,))
         by_size = compare(node, right.node, sign, knowledge) if is_range else None
         there = by_size if is_range else decide(left, right, sign, knowledge)
@@ -68,6 +71,28 @@ def unless_by_value_of_formula(state: JudgingState, chain: Chain, k: int, verdic
     is_one = is_one and (found[0].is_proved or not is_against)
     proof = found[0] if found[0].is_proved else replace(found[0], reason="")
     return describe(state.document, chain, k, proof) if is_one else verdict
+
+
+def _cancels(node: Formula, known: list[Knowledge | None]) -> bool:
+    """Tell whether a formula comes to one number, whatever the size of the letters that are free."""
+    numbers = []
+    for each in known:
+        number = None if each is None else _number(node, each)
+        if number is None:
+            return False
+        numbers.append(number)
+    return all(abs(each - numbers[0]) <= _SAME * max(1.0, abs(numbers[0])) for each in numbers)
+
+
+def _number(node: Formula, knowledge: Knowledge) -> complex | None:
+    """Return what a formula comes to by what is known, None where a letter is left."""
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    meaning = replace(knowledge.meaning, values={**knowledge.meaning.values, **values})
+    try:
+        rows = sample_trees([node], meaning, 1, tries=1)
+    except (NoFormError, TooLargeError):
+        return None
+    return complex(rows[0][1][0]) if rows and not rows[0][0] else None
 
 
 def _is_of_its_sentence(state: JudgingState, chain: Chain) -> bool:
