@@ -16,6 +16,15 @@ def last_verdict(folder: Path, text: str, symbols: str = "") -> str:
     return check(page).verdicts[-1].verdict
 
 
+def verdicts_of(folder: Path, text: str, symbols: str = "") -> list[str]:
+    """Return the verdicts on all relations of a Markdown page, with the symbols file beside it."""
+    page = folder / "page.md"
+    page.write_text(text + "\n", encoding="utf-8")
+    if symbols:
+        (folder / "page.symbols.toml").write_text(symbols, encoding="utf-8")
+    return [verdict.verdict for verdict in check(page).verdicts]
+
+
 def in_displays(lines: tuple[str, ...] | list[str]) -> str:
     """Return formulas as displays, one below the other."""
     return "\n\n".join(f"$${line}$$" for line in lines)

@@ -98,6 +98,9 @@ from symbalance.notes.checking.steps.another_place import (
     leave_place,
 )
 from symbalance.notes.checking.steps.another_section import leave_angle_of_section
+from symbalance.notes.checking.steps.bare_numbers import unless_of_bare_numbers
+from symbalance.notes.checking.steps.both_signs import unless_neither_sign
+from symbalance.notes.checking.steps.candidate_solutions import unless_candidate
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
@@ -134,6 +137,7 @@ from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.large_by_words import unless_large_by_words
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
 from symbalance.notes.checking.steps.letters_below import with_clauses_below
+from symbalance.notes.checking.steps.letters_of_two_meanings import unless_of_another_meaning
 from symbalance.notes.checking.steps.letters_said_anew import (
     as_formula_of_others,
     leave_formula_of_condition,
@@ -163,6 +167,8 @@ from symbalance.notes.checking.steps.open_cases import (
     without_cases,
 )
 from symbalance.notes.checking.steps.own_row import by_own_row
+from symbalance.notes.checking.steps.percentages import unless_percent_of_it
+from symbalance.notes.checking.steps.places_in_words import unless_at_another_place
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
 from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
@@ -173,6 +179,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
 from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.rearranged_line_before import by_line_before
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
+from symbalance.notes.checking.steps.resultants_in_words import unless_perpendicular
 from symbalance.notes.checking.steps.results_in_turn import unless_wrong_in_turn
 from symbalance.notes.checking.steps.revolutions_by_the_minute import by_the_minute
 from symbalance.notes.checking.steps.rival_cases import RivalCases
@@ -191,15 +198,23 @@ from symbalance.notes.checking.steps.sizes_in_sentences import with_size_said
 from symbalance.notes.checking.steps.sizes_without_letters import with_sizes_in_words
 from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_place
 from symbalance.notes.checking.steps.solutions_of_the_first import unless_added_by_squaring
+from symbalance.notes.checking.steps.solved_exercises import SolvedExercises
 from symbalance.notes.checking.steps.solved_pairs import unless_pair_is_wrong
+from symbalance.notes.checking.steps.speeds_by_two_clocks import unless_by_the_minute
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
+from symbalance.notes.checking.steps.supposed_in_prose import unless_supposed_otherwise
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
 from symbalance.notes.checking.steps.systems_of_formulas import unless_of_a_system
 from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
+from symbalance.notes.checking.steps.values_converted import unless_converted_wrongly
+from symbalance.notes.checking.steps.values_for_formulas import (
+    leave_value_of_formula,
+    unless_by_value_of_formula,
+)
 from symbalance.notes.checking.steps.values_in_rows import unless_wrong_in_row
 from symbalance.notes.checking.steps.values_of_equations import unless_value_fails
 from symbalance.notes.checking.steps.waves_of_one_angle import unless_of_one_angle
@@ -273,6 +288,7 @@ _LAST: tuple[_Look, ...] = (
     unless_rate_of_ratio,
     unless_no_root,
     unless_of_no_angle,
+    unless_candidate,
     unless_wrong_in_list,
     unless_wrong_in_row,
     unless_scaled_against_proportion,
@@ -300,6 +316,16 @@ _LAST: tuple[_Look, ...] = (
     by_turns_counted,
     by_line_before,
     unless_other_things_change,
+    unless_of_bare_numbers,
+    unless_by_the_minute,
+    unless_of_another_meaning,
+    unless_percent_of_it,
+    unless_by_value_of_formula,
+    unless_converted_wrongly,
+    unless_at_another_place,
+    unless_supposed_otherwise,
+    unless_perpendicular,
+    unless_neither_sign,
 )
 """What does so once a relation has been read in its case and its row."""
 
@@ -344,6 +370,7 @@ class Judge:
         self.exercises = OwnExercises(self.document)
         self.table_rows = TableRows(self.document)
         self.rivals = RivalCases(self.document)
+        self.solved = SolvedExercises(self.state)
         self.supposed = SupposedNumbers()
         self.places_of_tables: dict[str, Formula] = {}
         """What tables and lists have given letters last: another one gives them another value."""
@@ -363,7 +390,9 @@ class Judge:
             return_to_case(self.state, chain)
             leave_ended_cases(self.state, chain)
             turn_to_opposite_range(self.state, chain)
+            leave_value_of_formula(self.state, chain)
             chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
+            self.solved.enter(chain)
             self.rivals.enter(self.state, chain)
             self.supposed.enter(self.state, chain)
             verdicts += self.chain(chain, chain_binds)

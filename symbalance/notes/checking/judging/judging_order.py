@@ -8,9 +8,15 @@ from dataclasses import replace
 from symbalance.document.formula import Call, Name, names
 from symbalance.notes.algebra.letters_in_waves import WAVES
 from symbalance.notes.checking.deciding.cases import states_a_case
+from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
 from symbalance.notes.checking.judging.premises_behind import is_worked_out_behind
 from symbalance.notes.checking.verdicts import Verdict
-from symbalance.notes.checking.words.case_words import LONGEST_PLACE, is_case_behind, is_place_behind
+from symbalance.notes.checking.words.case_words import (
+    LONGEST_PLACE,
+    is_case_behind,
+    is_place_behind,
+    is_said_generally,
+)
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
@@ -51,9 +57,37 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
         with_formula |= {names(c.sides[0].node) for c in by_line[line] if _gives_formula(c)}
         cases = list(first.values())
         others = [c for c in by_line[line] if all(c is not case for case in cases)]
-        in_turn = [*cases, *_cases_before_claims(document, others)]
+        general = _said_before_exceptions(sections, others, cases)
+        others = [c for c in others if all(c is not each for each in general)]
+        in_turn = [*general, *cases, *_cases_before_claims(document, others)]
         ordered += _places_before_values(document, in_turn)
     return ordered
+
+
+_BUT = (
+    r"(?<![^\W\d_])(?:but|however|only|aber|jedoch|doch|nur|mais|cependant|seulement|ma|però|solo|pero|sólo)"
+    r"(?![^\W\d_])|ただし"
+)
+"""Words of an exception."""
+_EXCEPT = re.compile(_BUT, re.IGNORECASE)
+_ENDS = re.compile(rf"[.;!?。；]|{_BUT}", re.IGNORECASE)
+"""What parts a claim from the case that is its exception."""
+
+
+def _said_before_exceptions(
+    sections: Sections, chains: Sequence[Chain], cases: Sequence[Chain]
+) -> list[Chain]:
+    """Return the inequalities that are said in general, before a case: in general x² ≠ 2x. For x = 2 …"""
+    first, text = min((case.start for case in cases), default=0), sections.document.text
+
+    def is_apart(chain: Chain) -> bool:
+        if is_said_generally(sections.sentence_before(chain)):
+            return _ENDS.search(text, chain.end, first) is not None
+        is_unequal = {relation.sign for relation in chain.relations} == {"≠"}
+        return is_unequal and _EXCEPT.search(text, chain.end, first) is not None
+
+    inequalities = (c for c in chains if all(r.sign in SATISFIED_BY for r in c.relations))
+    return [c for c in inequalities if c.end <= first and is_apart(c)]
 
 
 def _gives_formula(chain: Chain) -> bool:

@@ -163,7 +163,8 @@ def _range_after_range(
         return Decision(REFUTED, f"does not follow from {text}", witness=witness)
     if sections.is_equivalence(chain) and len(stated) == 1:
         others = [r for r in given if not _same(r, earlier)]
-        witness = range_that_fails(earlier, [*others, own], knowledge)
+        every = [own, *(_stated(chain, n) for n in range(len(chain.relations)) if n != k)]
+        witness = range_that_fails(earlier, [*others, *every], knowledge)  # |x| < 2 ⇔ -2 < x < 2
         if witness is not None:
             return Decision(REFUTED, _not_from_it(earlier), witness=witness)
     return decision

@@ -30,6 +30,7 @@ from symbalance.notes.checking.premises.constraints import Constraint
 from symbalance.notes.checking.premises.roots_of_unity import order_of_root
 from symbalance.notes.checking.premises.system import EVERYWHERE, Premise
 from symbalance.notes.checking.verdicts import RANGE
+from symbalance.notes.checking.words.case_words import is_said_generally
 from symbalance.notes.checking.words.labelled_data import LabelledData
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.checking.words.sections import Sections
@@ -339,11 +340,11 @@ class Definitions:
         return [p for p in self.premises if self.reaches(p.line, line, p.names) and line <= p.last_line]
 
     def note_range(self, chain: Chain, k: int, decision: Decision) -> None:
-        """Note a range that a relation states; one that is empty states nothing."""
+        """Note a range that a relation states; one that is empty, or only so in general, does not."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         if decision.status == REFUTED:
             self.ranges = [r for r in self.ranges if r.right is not left]
-        if decision.status == RANGE:
+        if decision.status == RANGE and not self._is_said_generally(chain):
             line, is_aside = chain.lines[0], self.sections.is_in_brackets(chain)
             is_only_if = self.sections.is_only_if(chain)
             last = max(chain.lines) if is_aside or is_only_if else None
@@ -351,6 +352,10 @@ class Definitions:
                 self._end_bounds_of_cases(chain, k)
             self.ranges.append(StatedRange(left, chain.relations[k].sign, right, line, last, is_only_if))
             self._note_case(chain, names(left) | names(right))
+
+    def _is_said_generally(self, chain: Chain) -> bool:
+        """Tell whether an inequality is said in general: a case behind may be its exception."""
+        return is_said_generally(self.sections.sentence_before(chain))
 
     def _end_bounds_of_cases(self, chain: Chain, k: int) -> None:
         """End the bound that a case before gave a letter, where the next one gives another."""

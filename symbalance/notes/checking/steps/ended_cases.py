@@ -36,11 +36,6 @@ _OTHERWISE = re.compile(
     re.IGNORECASE,
 )
 """Words of the opposite of the case before."""
-_GENERALLY = re.compile(
-    r"(?<![^\W\d_\\])(?:in\s+general|generally|im\s+allgemeinen|allgemein|en\s+général|généralement|in\s+generale|en\s+general)(?![^\W\d_])|一般に",
-    re.IGNORECASE,
-)
-"""Words of every case."""
 _REALLY = re.compile(
     r"(?<![^\W\d_\\])(?:in\s+(?:fact|reality|truth)|actually|really|but\s+(?:it|this|that)\s+is(?:\s+not|n't)?|tatsächlich|in\s+Wirklichkeit"
     r"|aber\s+(?:es|das|dem)\s+ist(?:\s+nicht)?|en\s+(?:fait|réalité)|mais\s+ce\s+n'est\s+pas|in\s+realtà|en\s+realidad)(?![^\W\d_])|実際",
@@ -93,6 +88,25 @@ _TITLE_BEHIND = re.compile(r"[\s$)}\]*]{0,4}[:：](?!=)")
 """Behind a relation that is the title of what follows: J_1 = J_2: …"""
 _SENTENCE = re.compile(r"[.;!?]\s|[;。；]|\n\s*\n")
 _JOINED = re.compile(r"[\s$,)]*(?:(?:and|und|et|y|e)(?![^\W\d_])|[,、と])[\s$(]*")
+_THEN = re.compile(
+    r"[.;]\s+(?:then|dann|alors|allora|entonces)(?![^\W\d_])|。\s*(?:すると|このとき)", re.IGNORECASE
+)
+"""What leads from a supposition to what is said to follow."""
+_LEADS = re.compile(
+    r"[\s$,.;:)}\]、。]*(?:(?:then|so|hence|thus|therefore|it|we|one|is|that|has|have|get|clearly|also|dann|gilt|ist|also|somit"
+    r"|folglich|wird|alors|donc|on|a|allora|quindi|si|ha|entonces|luego|se|tiene|tenemos)(?![^\W\d_])[\s$,:({]*)+"
+    r"|[\s$]*(?:ならば?|のとき|では)[、\s$]*",
+    re.IGNORECASE,
+)
+"""Between a case and what is claimed of its letter itself: if λ = 4, then λ > 5."""
+_TURNS = re.compile(
+    r"\n\s*\n|(?<![^\W\d_])(?:but|while|whereas|yet|usually|mostly|aber|während|jedoch|meist\w*|mais|tandis|alors\s+que|ma|mentre"
+    r"|pero|mientras)(?![^\W\d_])|しかし",
+    re.IGNORECASE,
+)
+"""Words that turn from a case to something else."""
+_MOST_CLAIMS = 4
+"""Claims of one case in a sentence, over which the case is looked for."""
 REACH = 200
 """Characters behind a supposition in which its sentence ends."""
 
@@ -147,7 +161,7 @@ def letters_of_ended(state: JudgingState, chain: Chain) -> frozenset[str]:
         return frozenset()
     words = state.document.text[last.end : chain.start]
     is_range = all(relation.sign in SATISFIED_BY for relation in chain.relations)
-    is_said = _GENERALLY.search(words) or (is_range and _OTHERWISE.search(words))
+    is_said = case_words.is_said_generally(words) or (is_range and _OTHERWISE.search(words))
     letters = frozenset(name for case in state.ended_cases for name in case.letters)
     return letters & chain.letters if is_said else frozenset()
 
@@ -163,14 +177,16 @@ def _ended_by(state: JudgingState, chain: Chain) -> list[Chain]:
     ended: list[Chain] = []
     if _OTHERWISE.search(words[-1]):
         ended = _last_of(cases, text)
-    elif _GENERALLY.search(words[-1]) and (len(words) > 1 or last not in cases):
+    elif case_words.is_said_generally(words[-1]) and (len(words) > 1 or last not in cases):
         ended = [c for c in cases if c.sides[0].node != chain.sides[0].node]
     elif _LABEL.search(text[last.end : chain.start]):
         ended = [c for c in cases if _LABEL_LAST.search(text[max(0, c.start - REACH) : c.start])]
     elif opposed := [c for c in cases if _is_opposite(text, c, words[-1])]:
         ended = opposed
     elif _is_range_of_letter(chain) and not _ONLY.search(words[-1]):
-        ended = [c for c in cases if c.letters == chain.letters and _is_left_by(c, chain)]
+        claimed = _claimed_in(state, cases, chain)
+        others = [c for c in cases if c.letters == chain.letters and c not in claimed]
+        ended = [c for c in others if _is_left_by(c, chain)]
     ended += [c for c in cases if c not in ended and _is_no_more_supposed(state, c, chain)]
     return [*ended, *titled]
 
@@ -288,6 +304,35 @@ def _last_of(cases: list[Chain], text: str) -> list[Chain]:
 
 def _is_range_of_letter(chain: Chain) -> bool:
     return len(chain.letters) == 1 and all(r.sign in SATISFIED_BY for r in chain.relations)
+
+
+def _claimed_in(state: JudgingState, cases: list[Chain], chain: Chain) -> list[Chain]:
+    """Return the cases of which a range is the claim, right or wrong: if λ = 4, then 1/λ > 1/3.
+
+    It stands right behind them, in their sentence or as what follows, and is no case itself.
+    """
+    sections, text = state.sections, state.document.text
+    if sections.opens_case(chain) or sections.is_one_of_several(chain):
+        return []
+    place, last = chain.start, sections.chain_before(chain.start)
+    for _ in range(_MOST_CLAIMS):
+        if last is None or last in cases or _SENTENCE.search(text, last.end, place):
+            break
+        place, last = last.start, sections.chain_before(last.start)
+    if last is None or last not in cases:
+        return []
+    between = text[last.end : place]
+    is_lone = any(isinstance(side.node, Name) for side in chain.sides)
+    if is_lone and chain.relations[0].sign == "≠":
+        return []  # so x ≠ 2: what was supposed is not so
+    own_words = between if place == chain.start else ""
+    if (is_lone and not _LEADS.fullmatch(own_words or " then ")) or _TURNS.search(between):
+        return []
+    if _SENTENCE.search(between) and not (sections.is_consequence(chain) or _THEN.search(between)):
+        return []
+    own = _last_of(cases, text)
+    given = [(c.sides[0].node, c.sides[-1].node) for c in own]
+    return [c for c in cases if c in own or (c.sides[0].node, c.sides[-1].node) in given]
 
 
 def _is_left_by(case: Chain, chain: Chain) -> bool:

@@ -24,6 +24,9 @@ from symbalance.notes.checking.steps.derivatives_set_to_zero import slope_set_to
 from symbalance.notes.checking.steps.judging_state import ANGLES, JudgingState
 from symbalance.notes.reading.equations import Chain
 
+MOST_REARRANGED = 8
+"""Equations over which one leads to a value of its letter."""
+
 
 def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether an equation is to be solved: by a formula's slope, words, or a value below it."""
@@ -51,11 +54,14 @@ def _is_solved_by_words(state: JudgingState, chain: Chain, k: int) -> bool:
     following = _next(state, chain)
     if following is None or _turns_to_angle(state, chain, following):
         return following is not None
+    is_claimed = chain.relations[k].sign == "≈" and following.relations[0].sign not in "=≈"
+    # 1/(1-x) ≈ 1 + x for x ≪ 1 is claimed there
     is_apart = state.sections.paragraph_start(following.lines[0]) > chain.lines[-1]
     is_of_both = bool(names(chain.sides[k].node) & names(chain.sides[k + 1].node))
     # another paragraph tries a value of its own
-    return (
-        not (chain.inline and is_of_both and is_apart)
+    return _is_rearranged_to_value(state, chain, own) or (
+        not is_claimed
+        and not (chain.inline and is_of_both and is_apart)
         and len(own) == 1
         and isinstance(following.sides[0].node, Name)
         and following.sides[0].node.name in own
@@ -133,6 +139,22 @@ def _is_solved_next(state: JudgingState, chain: Chain, own: frozenset[str]) -> b
         return False
     is_open = not state.knowledge(chain.lines[0]).has_meaning(head.name)
     return is_open and names(following.sides[1].node) <= own - {head.name}
+
+
+def _is_rearranged_to_value(state: JudgingState, chain: Chain, own: frozenset[str]) -> bool:
+    """Tell whether an equation of one letter leads over others to a value: √(x+1) = x-1 ⇒ … ⇒ x = 3.
+
+    Each follows from the one before by an arrow or by words, and has no other letter.
+    """
+    if len(own) != 1 or state.knowledge(chain.lines[0]).has_meaning(*own):
+        return False
+    for n, following in enumerate(chains_below(state.sections, chain)):
+        is_next = state.sections.is_consequence(following) and following.relations[0].sign == "="
+        if n >= MOST_REARRANGED or not is_next or following.letters != own:
+            return False
+        if isinstance(following.sides[0].node, Name) and not names(following.sides[1].node):
+            return True
+    return False
 
 
 def _turns_to_angle(state: JudgingState, chain: Chain, following: Chain) -> bool:

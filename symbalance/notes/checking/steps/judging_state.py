@@ -125,6 +125,8 @@ class JudgingState:
     """Cases that words have left, for x = 2 say: none of their numbers is in force behind."""
     told_by_words: set[tuple[int, int]] = field(default_factory=set)
     """Relations, by place and number, whose words say which of several numbers they are about."""
+    other_meanings: dict[str, list[Definition]] = field(default_factory=dict, init=False)
+    """What letters were above whose noun and unit make them another quantity since."""
     _meanings: dict[tuple[Any, ...], tuple[SymbolValue, Geometry]] = field(
         default_factory=dict, init=False
     )

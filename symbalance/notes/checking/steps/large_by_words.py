@@ -37,6 +37,12 @@ _NEAR_A_TURN = re.compile(
     r"(?:[^\W\d_]{1,8}\s*=\s*)?(?:9|18|27|36)0(?:\s*°|\^)|(?:90|180|270)°\s?付近",
     re.IGNORECASE,
 )
+_REGION_BEHIND = re.compile(
+    r"[\s$,)]{0,5}(?:for|if|when|where|as|für|bei|wenn|falls|pour|si|quand|lorsque|per|se|quando|para|cuando)[\s$]+"
+    r"(?P<region>[^.;:!?=≈。]{1,40})",
+    re.IGNORECASE,
+)
+"""Words right behind a relation that say where it holds: x/(1+x) ≈ 1 for x ≫ 1."""
 _JUDGED = (*PROVED_WORDS, REFUTED_WORD, UNDECIDED_WORD, CONDITION)
 _REACH = 90
 """Characters before a relation in which words say what is large."""
@@ -54,7 +60,8 @@ def unless_large_by_words(state: JudgingState, chain: Chain, k: int, verdict: Ve
         return verdict
     words = state.document.text[max(0, chain.start - _REACH) : chain.start]
     words = re.split(r"[.;!?。]\s|\n\s*\n", words)[-1]
-    said = _SAID_LARGE.search(words)
+    behind = _REGION_BEHIND.match(state.document.text, chain.end)
+    said = _SAID_LARGE.search(words) or (behind and _SAID_LARGE.search(f" {behind['region']}"))
     if said is not None:
         plain = (said["letter"] or said["limit"] or said["much"]).replace("{", "").replace("}", "")
         name = next((n for n in names(sides[0]) | names(sides[1]) if plain in (n, plain_letter(n))), None)

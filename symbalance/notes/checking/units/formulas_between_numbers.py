@@ -54,6 +54,12 @@ from symbalance.text import lazy_patterns as re
 
 BETWEEN_NUMBERS = "a formula between the numbers of quantities, whose constant converts their units"
 _UNIT_NAMES = {"in": "inch", "in.": "inch"}
+_OF_ONE_LETTER = {
+    ("l", Fraction(1, 1000)): "dm^3",
+    ("L", Fraction(1, 1000)): "dm^3",
+    ("t", Fraction(1000)): "Mg",
+}
+"""Units of one letter that are letters elsewhere, where they were read as litres and tonnes."""
 DOES_NOT_CONVERT = "its constant does not convert the units that the page gives its letters"
 _G = float(GRAVITY)
 _SLIPS = tuple(weight * 10.0**shift for shift in range(-6, 7) for weight in (1, _G, 1 / _G))
@@ -93,7 +99,7 @@ _MOST_OF_A_TURN = 10
 
 
 @dataclass(frozen=True, slots=True)
-class _Typed:
+class TypedNumber:
     """A letter's number as typed, and what it is in metres, kilograms and radians per second."""
 
     number: Number
@@ -106,7 +112,7 @@ def decide_between_numbers(
 ) -> Decision | None:
     """Return the proof that a formula has a result as a number in its unit; None where it has none."""
     result = quantity_of(right, document)
-    measured = {id(number) for number in _with_units(left.node, document)}
+    measured = {id(number) for number in numbers_with_units(left.node, document)}
     constants = [number for number in _converting(left.node) if id(number) not in measured]
     if not constants:
         constants = [
@@ -115,7 +121,7 @@ def decide_between_numbers(
             if isinstance(part, Number) and part.value in _FEW and id(part) not in measured
         ]
     own = names(left.node)
-    typed = {name: _typed(name, document, knowledge) for name in own}
+    typed = {name: typed_number(name, document, knowledge) for name in own}
     if result is None or not constants or not all(typed.values()):
         return None
     as_quantity = left.node
@@ -152,7 +158,7 @@ def decide_between_numbers(
 
 
 def _weights_between(
-    node: Formula, constants: list[Number], typed: dict[str, _Typed | None], unit: str
+    node: Formula, constants: list[Number], typed: dict[str, TypedNumber | None], unit: str
 ) -> tuple[int, ...]:
     """Return the powers of g between a formula and its result by their units; all where one is open."""
     difference = difference_of_units(node, constants, typed, unit)
@@ -162,7 +168,7 @@ def _weights_between(
 
 
 def difference_of_units(
-    node: Formula, constants: list[Number], typed: Mapping[str, _Typed | None], unit: str
+    node: Formula, constants: list[Number], typed: Mapping[str, TypedNumber | None], unit: str
 ) -> Dimension | None:
     """Return the dimension of a result over that of its formula without constants, None if open."""
     units = {name: pair.unit or _count(pair) for name, pair in typed.items() if pair is not None}
@@ -175,7 +181,7 @@ def difference_of_units(
     return tuple(a - b for a, b in zip(result, own, strict=True))
 
 
-def _count(pair: _Typed) -> str:
+def _count(pair: TypedNumber) -> str:
     """Return the unit of a whole number of cylinders or the like, "" of one whose unit is left out."""
     is_whole = pair.number.last_place is None and pair.number.value <= LARGEST_COUNTED
     return "1" if is_whole else ""
@@ -214,7 +220,7 @@ def decide_as_typed(
     result = quantity_of(right, document)
     if result is None:
         return Decision(PROVED, UNITS_LEFT_OUT)
-    typed = {name: _typed(name, document, knowledge) for name in names(left.node)}
+    typed = {name: typed_number(name, document, knowledge) for name in names(left.node)}
     constants = list(_converting(left.node))
     difference = difference_of_units(left.node, constants, typed, result.unit)
     if difference is None:
@@ -241,7 +247,7 @@ def decide_as_typed(
 
 def puts_in_numbers(left: Side, right: Side, document: ReadNotes, knowledge: Knowledge) -> bool:
     """Tell whether an arithmetic is such a formula with the letters' numbers put in: 120·3000/9550."""
-    typed = {name: _typed(name, document, knowledge) for name in names(left.node)}
+    typed = {name: typed_number(name, document, knowledge) for name in names(left.node)}
     if not typed or names(right.node) or not any(_converting(left.node)) or not all(typed.values()):
         return False
     node = left.node
@@ -311,9 +317,9 @@ def decide_in_one_unit(
     if not names(left.node) or names(right.node) or isinstance(right.node, Number):
         return None
     put_in = value_of(right.node)
-    if put_in is None or any(_with_units(right.node, document)):
+    if put_in is None or any(numbers_with_units(right.node, document)):
         return None
-    typed = {name: _typed(name, document, knowledge) for name in names(left.node)}
+    typed = {name: typed_number(name, document, knowledge) for name in names(left.node)}
     units = {each.unit for each in typed.values() if each is not None}
     if None in typed.values() or len(units) != 1 or not units.pop():
         return None
@@ -421,7 +427,7 @@ def _as_typed(node: Formula, document: ReadNotes) -> Formula:
     return with_children(node, tuple(_as_typed(part, document) for part in parts)) if parts else node
 
 
-def _with_units(node: Formula, document: ReadNotes) -> Iterator[Formula]:
+def numbers_with_units(node: Formula, document: ReadNotes) -> Iterator[Formula]:
     """Yield the numbers of a formula that have units behind them, and the units' own."""
     for part in walk(node):
         if isinstance(part, Product):
@@ -451,14 +457,14 @@ def _converting(node: Formula) -> Iterator[Number]:
             yield part
 
 
-def _typed(name: str, document: ReadNotes, knowledge: Knowledge) -> _Typed | None:
+def typed_number(name: str, document: ReadNotes, knowledge: Knowledge) -> TypedNumber | None:
     """Return the number that a letter was given on the page, None where it has none."""
     definition = knowledge.definitions.get(name)
     node = _number_node(definition) if definition is not None else None
     return None if node is None else _typed_node(node, document)
 
 
-def _typed_node(node: Formula, document: ReadNotes) -> _Typed | None:
+def _typed_node(node: Formula, document: ReadNotes) -> TypedNumber | None:
     """Return the number and unit that a formula consists of, None for an arithmetic."""
     is_lone = isinstance(node, Number) or (
         isinstance(node, Product) and len(node.factors) == 2 and isinstance(node.factors[0], Number)
@@ -467,6 +473,8 @@ def _typed_node(node: Formula, document: ReadNotes) -> _Typed | None:
         return None
     source = document.source(node.span)
     digits, (has_number, words) = _DIGITS.search(source), written_unit(source)
+    if isinstance(node, Product) and isinstance(node.factors[1], Number):
+        words = _OF_ONE_LETTER.get((words, node.factors[1].value), words)
     is_speed = not words and is_per_minute(document.text, node.span[1])
     scale = scale_of(sign_of_unit(words)) if words else (Fraction(1, 30 if is_speed else 1), is_speed)
     if digits is None or not has_number or scale is None:
@@ -480,7 +488,7 @@ def _typed_node(node: Formula, document: ReadNotes) -> _Typed | None:
     return _typed_number(digits.group().replace(",", "."), *scale, unit)
 
 
-def _typed_number(text: str, scale: Fraction, is_speed: bool, unit: str) -> _Typed:
+def _typed_number(text: str, scale: Fraction, is_speed: bool, unit: str) -> TypedNumber:
     """Return a number in digits, with what it is by the scale of its unit."""
     number = Number(
         Fraction(text), Fraction(1, 10 ** len(text.partition(".")[2])) if "." in text else None
@@ -489,7 +497,7 @@ def _typed_number(text: str, scale: Fraction, is_speed: bool, unit: str) -> _Typ
     if is_speed:
         per_minute = Quotient(Constant("pi"), rational_node(1 / scale))
         exact = Quotient(Number(number.value), Quotient(Number(Fraction(1)), per_minute))
-    return _Typed(number, exact, unit)
+    return TypedNumber(number, exact, unit)
 
 
 def _number_node(definition: Definition) -> Formula | None:

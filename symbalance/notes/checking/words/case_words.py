@@ -14,7 +14,7 @@ from symbalance.text import lazy_patterns as re
 _END = r"\s[^.;:!?\n=<>≤≥]{0,30}$"
 _CASE = re.compile(
     r"(?<![A-Za-z])(?:for|if|when|whenever|where|at|only for|provided(?:\s+that)?"
-    rf"|as\s+(?:long|soon)\s+as|sobald|dès\s+que|non\s+appena|tan\s+pronto\s+como|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si"
+    rf"|as\s+(?:long|soon)\s+as|sobald|dès\s+que|non\s+appena|tan\s+pronto\s+como|in\s+the\s+case|für|bei|falls|wenn|sofern|solange|im\s+Fall|pour|si(?!\s+(?:ha|ottiene|ricava|trova|vede|tiene|obtiene|encuentra)(?![^\W\d_]))"
     r"|lorsque|quand|para|cuando|per|quando|voor|bij|wanneer|för|vid|när|dla|przy|gdy|při|když"
     rf"|(?:da|alcanza|ocurre|produce|máxim[oa])\s+en|(?:^|[.:]\s)en){_END}|(?:もし|仮に)[^。、]{{0,12}}$",
     re.IGNORECASE,
@@ -157,12 +157,28 @@ PROBLEM = re.compile(
     re.IGNORECASE,
 )
 
+_GENERALLY = re.compile(
+    r"(?<![^\W\d_\\])(?:in\s+general|generally|im\s+allgemeinen|allgemein|i\.\s?a\.|en\s+général|généralement|in\s+generale"
+    r"|generalmente|en\s+general)(?![^\W\d_])|一般に",
+    re.IGNORECASE,
+)
+"""Words of every case."""
+
 
 def opens_case(text: str, start: int, end: int) -> bool:
     """Tell whether a relation, from `start` to `end`, is introduced as a case: for x > 0, bei θ = 0."""
     bare = _TAG.sub(" ", text[max(0, start - 80) : start]).removesuffix("stem:[")
     before = glossary_of(text).english(_CLAUSE.split(bare)[-1].rstrip(" \t\n$\\([{"))
     return _CASE.search(before + " ") is not None or _CASE_BEHIND.match(text, end) is not None
+
+
+def is_said_generally(before: str) -> bool:
+    """Tell whether the words before a relation say that it is so in general, exceptions apart.
+
+    >>> is_said_generally("In general $"), is_said_generally("Here $")
+    (True, False)
+    """
+    return _GENERALLY.search(before) is not None
 
 
 def is_case_behind(text: str, end: int, first: int, last: int) -> bool:

@@ -587,7 +587,7 @@ class Sections:
         return self.section_end(line) if is_premise else None
 
     def _is_item_of_data(self, line: int) -> bool:
-        """Tell whether a line is an item of a list that words call data, "Gegeben laut Aufgabenblatt:"."""
+        """Tell whether a line is an item of a list that words call data: "Gegeben laut Blatt:"."""
         if not _ROW_OR_ITEM.match(self.lines[line - 1]):
             return False
         first = self.paragraph_start(line) - 1

@@ -171,14 +171,15 @@ _NUMBERED = re.compile(
     r"(?<![^\W\d_])(?:cylinder|zylinder|cylindre|cilindro|cilinder|order|ordnung|ordre|orden|ordine|orde|harmonic|case|fall|cas"
     r"|caso|engine|motor|moteur|motore|mode|eigenform|throw|pin|bearing|lager|palier|station|section|journal|disc|disk|scheibe"
     r"|disque|piston|kolben|bank|reihe|row|number|no\.?|nr\.?|n°|test|versuch|essai|point|punkt|shaft|welle|arbre|variant"
-    r"|variante|example|beispiel|exemple)[ ~]?$",
+    r"|variante|example|beispiel|exemple)[ ~]?$|(?:場合|ケース|例)[ ~]?$",
     re.IGNORECASE,
 )
 """Words for things that are counted, whose number is no factor: cylinder 2."""
 _LABEL_FIRST = re.compile(
-    r"[ ~]?[0-9]{1,2}[,:]?\s+(?=[^\W\d][\w']{0,12}(?:\([^()=\n]{1,12}\))?\s*[=≈≒≃])"
+    r"[ ~]?[0-9]{1,2}(?:[,:]?\s+(?=[^\W\d][\w']{0,12}(?:\([^()=\n]{1,12}\))?\s*[=≈≒≃])"
+    r"|[.:]?\s*(?=\([^()\n]{0,30}[=≈<>≤≥≠][^()\n]{1,30}\)))"
 )
-"""Such a number before a letter that is set equal to something."""
+"""Such a number before a letter that is set equal to something, or before a relation in brackets."""
 
 
 def _after_speed(text: str, start: int, end: int) -> int:
