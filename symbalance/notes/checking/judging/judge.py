@@ -416,6 +416,7 @@ class Judge:
             or (self.data[0].lines[0] == line and self.data[0].sides[-1].span[1] <= start)
         ):
             datum = self.data.pop(0)
+            self.exercises.enter(datum.lines[0], self.state.definitions, self.declarations)
             self.state.enter_case(datum.lines[0])
             name = next(iter(names(datum.sides[0].node)))
             earlier = self.state.knowledge(datum.lines[0]).definitions.get(name)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
-from symbalance.document.formula import Call, Name, names
+from symbalance.document.formula import Call, Name, Number, names
 from symbalance.notes.algebra.letters_in_waves import WAVES
 from symbalance.notes.checking.deciding.cases import states_a_case
 from symbalance.notes.checking.deciding.inequalities import SATISFIED_BY
@@ -43,7 +44,7 @@ def chains_in_turn(document: ReadNotes, sections: Sections) -> list[Chain]:
             is_second = is_second or (own in first and states_a_case(chain))
             is_result = sections.is_consequence(chain) or own in heads_above | with_formula or is_second
             is_result = is_result or any(relation.sign == "≈" for relation in chain.relations)
-            is_result = is_result or _is_led_to(document, chain)
+            is_result = is_result or _is_led_to(document, chain, by_line[line])
             end_of_clause = _clause_opened(document, chain, by_line[line]) or end_of_clause
             is_result = is_result or chain.start < end_of_clause
             is_result = is_result or _completes_equation(document, sections, chain, by_line[line])
@@ -105,7 +106,12 @@ _LEADS = re.compile(
 _LEADING = 40
 
 
-def _is_led_to(document: ReadNotes, chain: Chain) -> bool:
+def _is_led_to(document: ReadNotes, chain: Chain, row: Sequence[Chain]) -> bool:
+    """Tell whether words lead to a number, but from no chain set to zero, dE/dk = 2k - 1 = 0."""
+    before = max((c for c in row if c.end <= chain.start), key=lambda c: c.end, default=None)
+    is_zero = before is not None and before.sides[-1].node == Number(Fraction(0))
+    if before is not None and is_zero and (len(before.relations) > 1 or len(before.letters) > 1):
+        return False
     return _LEADS.search(document.text, max(0, chain.start - _LEADING), chain.start) is not None
 
 

@@ -111,13 +111,23 @@ def constraint_of(
         key=lambda c: (c[0] in letters_used_at_all, c[0] != rod, c[0] in _OWN & knowledge.letters),
     )
     for name, node, other_side in by_use:
-        is_new = not (name in earlier or knowledge.has_meaning(name))
+        is_new = name not in earlier and (
+            not knowledge.has_meaning(name) or _is_sought(name, {*first, *second}, knowledge)
+        )
         if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
             constraint = _constraint(node, other_side, name, knowledge)
             if constraint is not None and not (k and _has_rate(constraint.node)):
                 return constraint  # J_0 φ̇²/2 + m ẋ²/2 = J φ̇²/2 does not say that J_0 changes
     derivative = _lone_derivative(left, right, knowledge)
     return Constraint(derivative, right) if derivative else None
+
+
+def _is_sought(name: str, letters: set[str], knowledge: Knowledge) -> bool:
+    """Tell whether a usual letter of a crank is sought from numbers: l² = a² + b², a = 30 and b = 40."""
+    is_usual = knowledge.measures(name) and not knowledge.knows(name) and name not in knowledge.universal
+    known = [knowledge.definitions.get(n) for n in letters - {name}]
+    is_declared = name in knowledge.meanings or not known
+    return is_usual and not is_declared and all(d is not None and d.numeric for d in known)
 
 
 def _has_rate(node: Formula) -> bool:

@@ -16,6 +16,7 @@ from symbalance.document.formula import (
     Call,
     Dots,
     Formula,
+    Name,
     Number,
     Power,
     Quotient,
@@ -64,7 +65,7 @@ def unless_series_out_of_reach(state: JudgingState, chain: Chain, k: int, verdic
             return describe(
                 state.document, chain, k, Decision(UNDECIDED, f"a series without a sum for {known}")
             )
-        has_dots = any(isinstance(part, Dots) for side in sides for part in walk(side))
+        has_dots = any(_is_cut(side) and not _stands_below(side, name) for side in sides)
         if known and has_dots and not all(_is_entire(side, name) for side in sides):
             return describe(state.document, chain, k, _takes_for_small(name, known))
     return verdict
@@ -72,6 +73,18 @@ def unless_series_out_of_reach(state: JudgingState, chain: Chain, k: int, verdic
 
 def _takes_for_small(name: str, known: str) -> Decision:
     return Decision(UNDECIDED, f"it takes {plain_letter(name)} for small: {known}")
+
+
+def _is_cut(node: Formula) -> bool:
+    return any(isinstance(part, Dots) for part in walk(node))
+
+
+def _stands_below(node: Formula, name: str) -> bool:
+    """Tell whether a letter stands in denominators alone: the series is one of 1/λ, where λ is large."""
+    below = [part.denominator for part in walk(node) if isinstance(part, Quotient)]
+    inner = {id(part) for each in below for part in walk(each)}
+    own = [part for part in walk(node) if isinstance(part, Name) and part.name == name]
+    return all(id(part) in inner for part in own)
 
 
 def _is_series(node: Formula) -> bool:

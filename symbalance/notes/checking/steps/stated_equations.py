@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Product, Sum, names
+from symbalance.document.formula import Formula, Name, Number, Power, Product, Sum, names, walk
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.letters_behind import names_behind
@@ -61,11 +61,17 @@ def _is_rough_for(state: JudgingState, name: str, chain: Chain, k: int) -> bool:
     W v²/(g r) = 0.00034 W N² r says nothing of g, with g = 32.2 in the next paragraph.
     """
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    if not (names(left) and names(right) and (decimals(left) or decimals(right))):
+    if not (names(left) and names(right) and (_has_rounded(left) or _has_rounded(right))):
         return False
     below = (c for c in state.document.chains if c.sides[0].span[0] > chain.sides[0].span[0])
     heads = (c for c in below if isinstance(c.sides[0].node, Name) and c.sides[0].node.name == name)
     return any(not names(c.sides[1].node) for c in heads if c.relations)
+
+
+def _has_rounded(node: Formula) -> bool:
+    """Tell whether a formula has a rounded number; the exponent 1.4 of a gas law is meant as printed."""
+    exact = {id(n) for part in walk(node) if isinstance(part, Power) for n in decimals(part.exponent)}
+    return any(id(number) not in exact for number in decimals(node))
 
 
 def _names_its_terms(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> bool:

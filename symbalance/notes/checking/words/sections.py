@@ -91,6 +91,13 @@ _NAMING = re.compile(
     rf"(?<![A-Za-z])(?:let|with|put|set|setting|sei|seien|mit|setze|setzt man){_END}", re.IGNORECASE
 )
 """Before a number a premise (let r = 1), before a formula the name of it (let P = m r ω²)."""
+_CONSIDERED = re.compile(
+    r"(?<![^\W\d_])(?:we\s+(?:consider|study|treat|look\s+at)|(?:is|are)\s+considered|wir\s+(?:betrachten|untersuchen)"
+    r"|(?:wird|werden)\s+betrachtet|betrachtet\s+(?:wird|werden)|nous\s+(?:considérons|étudions)|on\s+considère"
+    r"|consideriamo|si\s+consider[ai]|consideramos|se\s+considera)(?![^\W\d_])|を考える|を扱う",
+    re.IGNORECASE,
+)
+"""Words that open a page: "we consider a V8 with γ = 90°", and all of it is of that engine."""
 _CONSEQUENCE = re.compile(
     r"(?:(?<![A-Za-z\\])(?:therefore|hence|thus|then|dann|so(?!\s+(?:that|dass|daß|as)\b)|consequently|accordingly"
     r"|it\s+follows(?:\s+that)?|(?:this|which)\s+implies|daher|folglich|somit|demnach|mithin"
@@ -583,8 +590,13 @@ class Sections:
             if self.document.text[end : end + 4].lstrip(" $)").startswith(":"):
                 return self.case_end(line)  # in UT, α = 180°: what its lines say
             return self.moment_end(line)
-        is_premise = is_case or (is_number and _NAMING.search(before + " "))
+        is_of_page = _CONSIDERED.search(before) is not None and self.is_first(chain)
+        is_premise = is_case or (is_number and not is_of_page and _NAMING.search(before + " "))
         return self.section_end(line) if is_premise else None
+
+    def is_first(self, chain: Chain) -> bool:
+        """Tell whether no relation stands before one on its page."""
+        return self.chain_before(chain.start) is None
 
     def _is_item_of_data(self, line: int) -> bool:
         """Tell whether a line is an item of a list that words call data: "Gegeben laut Blatt:"."""

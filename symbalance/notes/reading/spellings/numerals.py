@@ -109,7 +109,8 @@ _SPELLED = (
     ("inch^3", r"cu(?:bic|\.)? ?in(?:ches|\.|(?![a-z]))"),
     ("ft^3", r"cu(?:bic|\.)? ?(?:feet|foot|ft\.?)"),
     ("inch", r"in\.(?=\s*(?:[=≈]|\\approx))|inch(?:es)?|Zoll"
-     r"|in(?=[ \t]?(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b|\$))"),  # two blanks: a LaTeX reference
+     r"|in(?=[ \t]?(?:$|[,;.)=≈\n]|so\b|and\b|or\b|und\b|long\b"  # two blanks: a LaTeX reference
+     r"|\$(?!\s*(?:[A-Za-z(]|\\(?!times|cdot|approx|pm)))))"),  # "put 50 in $x^2$"
     ("kgf", "kg[ -]?force|kilogram(?:me)?[ -]force|kg[ -]weight|kilopond"),
     ("lbf", "pounds?[ -]force"), ("lb", "pounds?|lbs?(?=\\.)"),
     ("°", "degrees?|deg|Grad|degrés?|grad[io]|grados?|° ?(?:KW|CA|crank)|deg ?CA"),
