@@ -489,7 +489,8 @@ def _indexed_terms(
         return None
     stem = own[0][: -len(index)]
     first = node.lower.value if isinstance(node.lower, Number) else Fraction(1)
-    numbers = {n[len(stem) :] for n in knowledge.definitions if n.startswith(stem)}
+    since = {n for n, d in knowledge.definitions.items() if d.line >= angles.line}  # no others'
+    numbers = {n[len(stem) :] for n in since if n.startswith(stem)}
     if any(number.isdecimal() and int(number) >= first for number in numbers):
         return None  # δ_1, δ_2 have values of their own; θ_0 is no cylinder of a sum from 1
     if node.upper is not None and _count(node, knowledge) != len(angles.degrees):

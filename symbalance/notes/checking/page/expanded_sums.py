@@ -96,7 +96,11 @@ def with_expanded_sums(page: ReadNotes, data: Iterable[Chain] = ()) -> ReadNotes
         sentence = ends[above - 1] if above else 0
         if any(sentence <= each.place < chain.start and each.line == line for each in lists):
             return chain
-        sides = tuple(side.changed(lambda node: _expanded(node, values, line)) for side in chain.sides)
+        last = [each for each in lists if each.place < chain.start][-1:]
+        cranks = (len(last[0].degrees), last[0].line) if last else (0, 0)
+        sides = tuple(
+            side.changed(lambda node: _expanded(node, values, line, cranks)) for side in chain.sides
+        )
         return replace(chain, sides=sides)
 
     return replace(page, chains=tuple(map(expanded, page.chains)))
@@ -131,14 +135,18 @@ def _values(chains: Iterable[Chain]) -> _Values:
     return _Values(lines, rules)
 
 
-def _expanded(node: Formula, values: _Values, line: int) -> Formula:
+def _expanded(node: Formula, values: _Values, line: int, cranks: tuple[int, int]) -> Formula:
     parts = children(node)
     if parts:
-        node = with_children(node, tuple(_expanded(part, values, line) for part in parts))
-    return _written_out(node, values, line) if isinstance(node, Summation) else node
+        node = with_children(node, tuple(_expanded(part, values, line, cranks) for part in parts))
+    return _written_out(node, values, line, cranks) if isinstance(node, Summation) else node
 
 
-def _written_out(node: Summation, values: _Values, line: int) -> Formula:
+def _written_out(node: Summation, values: _Values, line: int, cranks: tuple[int, int]) -> Formula:
+    """Return a sum with its terms, unless as many cranks as it has not are listed since its letters.
+
+    `cranks` are the number of the crank angles that the page lists last before it, and their line.
+    """
     index = node.index.name if node.index is not None else _index_of(node.body)
     body = node.body if not index else _with_places_put_in(node.body, index, values, line)
     letters = indexed_letters(body, index) if index else []
@@ -149,7 +157,10 @@ def _written_out(node: Summation, values: _Values, line: int) -> Formula:
         return node  # c_2k
     lists = [values.numbers(stem, line) for stem in stems]
     numbers = _range(node) if node.lower is not None or node.upper is not None else lists[0]
-    if not numbers or len(numbers) > LONGEST or not all(set(numbers) <= set(own) for own in lists):
+    is_listed = (
+        bool(numbers) and len(numbers) <= LONGEST and all(set(numbers) <= set(own) for own in lists)
+    )
+    if not is_listed or _is_of_fewer_cranks(stems, numbers, values, line, cranks):
         return node
     is_whole = numbers == list(range(numbers[0], numbers[-1] + 1)) and numbers[0] in (0, 1)
     if node.lower is None and not (
@@ -164,6 +175,15 @@ def _written_out(node: Summation, values: _Values, line: int) -> Formula:
     except NoFormError:  # the index of a derivative is no number
         return node
     return Sum(tuple(terms), span=node.span) if len(terms) > 1 else terms[0]
+
+
+def _is_of_fewer_cranks(
+    stems: list[str], numbers: list[int], values: _Values, line: int, cranks: tuple[int, int]
+) -> bool:
+    """Tell whether a sum's letters have values of another engine: four places, and six cranks since."""
+    lines = (at for stem in stems for own in values.lines.get(stem, {}).values() for at in own)
+    listed = max((at for at in lines if at <= line), default=0)
+    return cranks[0] not in (0, len(numbers)) and cranks[1] > listed
 
 
 def _with_places_put_in(body: Formula, index: str, values: _Values, line: int) -> Formula:

@@ -21,6 +21,8 @@ from symbalance.notes.reading.units import GRAVITY, scale_of
 from symbalance.text import lazy_patterns as re
 
 POUND, POUND_FORCE = Fraction(45359237, 10**8), Fraction(44482216152605, 10**13)
+FEWEST_WHOLE = 10
+"""A whole number of two digits before a power of ten is rounded to its last one."""
 FEWEST_DIGITS = 2
 """That a whole number shows at least which a quantity is converted to: 8000 lb = 36 kN."""
 ROUGHLY = Fraction(1, 50)
@@ -83,7 +85,10 @@ def _lone(node: Formula) -> Number | None:
         number, *rest = node.factors
         tens = _power_of_ten(rest[0]) if rest else None
         if tens is not None and isinstance(number, Number):  # 2.979·10⁻³ is one number
-            place = None if number.last_place is None else number.last_place * tens
+            is_whole = number.last_place is None and tens < 1 and abs(number.value) >= FEWEST_WHOLE
+            place = (
+                tens if is_whole else number.last_place and number.last_place * tens
+            )  # 43·10⁻² is 0.43
             number, rest = Number(number.value * tens, place), rest[1:]
         if not rest or (len(rest) == 1 and isinstance(rest[0], Number)):
             return number if isinstance(number, Number) else None

@@ -235,6 +235,8 @@ def _of_engine_named(
     if not near:
         return near
     own, last = _engines_named(words), near[-1]
+    if _TWO_OF_THEM.search(words):
+        own = frozenset()  # "two threes, mirrored": the six that they make
     if own and last.engines and not own & last.engines:
         return [each for each in lists if each.place < start and own & each.engines]
     named = [each for each in near if own & each.engines]
