@@ -49,6 +49,10 @@ MOST_LETTERS = 12
 """Letters that a report names of them; a draft of the symbols file has all."""
 
 
+DECLARE_IT = "declare what it means"
+"""What the reason ends with where a letter is on one side only that nobody declared."""
+
+
 @dataclass(frozen=True, slots=True)
 class Difference:
     """One coefficient in which a line differs: of which term, what is claimed and what is exact.

@@ -128,8 +128,9 @@ def _as_result(
     first, second = forms
     for node, value, exact, other_side in ((right, second, first, left), (left, first, second, right)):
         meaning = meanings[0 if other_side is left else 1]
-        lone = _lone_decimal(node, other_side if meaning is None else meaning, exact, generous)
-        lone = lone or _short_result(node, meaning, exact)
+        lone = _lone_decimal(node, other_side, exact, generous)
+        if lone is None and meaning is not None:  # y of y = a/b divides, though no letter shows it
+            lone = _lone_decimal(node, meaning, exact, generous) or _short_result(node, meaning, exact)
         other = _lone_decimal(other_side, node, value, generous)
         if lone is None or (other is not None and _is_finer(lone, other)):
             continue  # of two lone decimals the coarser one is the other, rounded

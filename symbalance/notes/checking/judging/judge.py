@@ -40,7 +40,6 @@ from symbalance.notes.checking.judging.numbers_by_label import by_data_of_label,
 from symbalance.notes.checking.judging.numbers_in_sentences import by_numbers_in_sentence
 from symbalance.notes.checking.judging.offset_cranks import unless_offset
 from symbalance.notes.checking.judging.one_relation import FOLLOWS, judge_relation
-from symbalance.notes.checking.judging.open_reasons import DECLARE_IT
 from symbalance.notes.checking.judging.units_of_results import blame_unit
 from symbalance.notes.checking.judging.unknown_crank_angle import unless_angle_unknown
 from symbalance.notes.checking.judging.vectors_and_matrices import unless_of_arrays
@@ -237,6 +236,7 @@ from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONDITIONAL,
     CONTRADICTION,
+    DECLARE_IT,
     DEFINITION,
     PREMISE,
     PROVED_WORDS,

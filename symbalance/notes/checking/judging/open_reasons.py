@@ -29,12 +29,10 @@ from symbalance.notes.checking.premises.witness_angles import holds_at_angles
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.solved_balances import as_balance
 from symbalance.notes.checking.steps.solved_below import as_solution, as_solved, as_solved_in_words
-from symbalance.notes.checking.verdicts import UNDECIDED
+from symbalance.notes.checking.verdicts import DECLARE_IT, UNDECIDED
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 
-DECLARE_IT = "declare what it means"
-"""What the reason ends with where a letter is on one side only that nobody declared."""
 _OPEN_RATIOS = frozenset(words.casefold() for words in PHRASES[RATIO])
 """Declarations that leave open which ratio of crank and rod is meant."""
 UNKNOWN_SMALL = "nobody has said which letter is small: declare what they mean"

@@ -10,7 +10,17 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from symbalance.document.formula import PI, Formula, Name, Number, Product, Quotient, names
+from symbalance.document.formula import (
+    PI,
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Product,
+    Quotient,
+    names,
+    walk,
+)
 from symbalance.document.letters import plain_letter
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.evaluation import SymbolValue
@@ -61,6 +71,8 @@ def by_turns_counted(state: JudgingState, chain: Chain, k: int, verdict: Verdict
     if head.name not in ("omega", "Omega", "w") or (declared and role_of(declared) != "angular speed"):
         return verdict
     own = names(claim)
+    if any(isinstance(part, Derivative) for part in walk(claim)):
+        return verdict
     if not own:
         return _of_speed_in_words(state, chain, verdict)
     return verdict if len(own) > 1 or declared else _of_letter(state, chain, verdict, next(iter(own)))

@@ -14,7 +14,7 @@ from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.premises.system import Premise, eliminate
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import UNDECIDED, Verdict
+from symbalance.notes.checking.verdicts import DECLARE_IT, UNDECIDED, Verdict
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.reading.equations import Chain
 
@@ -25,7 +25,8 @@ FEWEST_LETTERS = 3
 def by_line_before(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; an open relation is decided by the equation right before it, if words say so."""
     is_one = not k and len(chain.relations) == 1 and chain.relations[0].sign == "="
-    if verdict.verdict != UNDECIDED or not is_one or not state.sections.is_consequence(chain):
+    is_open = verdict.verdict == UNDECIDED and verdict.reason.endswith(DECLARE_IT)
+    if not is_open or not is_one or not state.sections.is_consequence(chain):
         return verdict
     before = state.sections.chain_before(chain.start)
     if before is None or not state.sections.follows_at_once(chain) or not _is_equation(state, before):

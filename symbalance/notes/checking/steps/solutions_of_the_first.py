@@ -13,7 +13,14 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.premises.angles_at import solves_as_printed
 from symbalance.notes.checking.premises.system import Premise
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, PROVED_WORDS, Verdict
+from symbalance.notes.checking.verdicts import (
+    CONDITION,
+    DEFINITION,
+    PREMISE,
+    PROVED_WORDS,
+    UNDECIDED,
+    Verdict,
+)
 from symbalance.notes.checking.words.lists_of_data import sets_number
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -55,7 +62,7 @@ def unless_added_by_squaring(state: JudgingState, chain: Chain, k: int, verdict:
     head = chain.sides[0].node
     if k or not sets_number(chain) or not isinstance(head, Name):
         return verdict
-    if verdict.verdict not in (*PROVED_WORDS, CONDITION, PREMISE, DEFINITION):
+    if verdict.verdict not in (*PROVED_WORDS, CONDITION, PREMISE, DEFINITION, UNDECIDED):
         return verdict
     first = _first_equation(state, chain, head.name) if _is_called_solution(state, chain) else None
     if first is None:

@@ -33,6 +33,9 @@ def unless_by_the_minute(state: JudgingState, chain: Chain, k: int, verdict: Ver
     if k > 1 or not isinstance(head, Name) or not is_divided_by_minute(formula):
         return verdict
     name = _speed_by_minute(state, chain, head, formula)
+    knowledge = state.knowledge(chain.lines[0])
+    if knowledge.knows(name) or name in knowledge.meanings:
+        return verdict  # the page says in which unit it counts
     there = _with_speed_by_minute(state, chain, k, name) if name else None
     return verdict if there is None else describe(state.document, chain, k, there)
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, names
+from symbalance.document.formula import Derivative, Formula, Name, Number, names, walk
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.letters_behind import names_behind
 from symbalance.notes.algebra.tree_values import sample_trees
@@ -169,6 +169,8 @@ def _with_ratios(state: JudgingState, chain: Chain, own: Formula, size: int) -> 
         if solved is None or not _bears_on(own, names(formula), knowledge):
             continue
         name, node = solved
+        if any(isinstance(part, Derivative) for part in walk(node)):
+            continue  # of a rate no letter is a number
         for other in sorted(names(node)):
             node = substitute(node, other, Number(Fraction(size)))
             free = Definition(Number(Fraction(size)), last.lines[0])

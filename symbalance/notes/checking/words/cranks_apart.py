@@ -40,7 +40,7 @@ def cranks_apart(text: str) -> Iterator[tuple[tuple[Fraction, ...], int]]:
     >>> [list(map(str, angles)) for angles, _ in cranks_apart("Three cylinders, cranks at 120°.")]
     [['0', '120', '240']]
     """
-    for match in _APART.finditer(text):
+    for match in _APART.finditer(text) if any(map(str.isdecimal, text)) else ():
         before = _CLAUSE.split(text[max(0, match.start() - _BEFORE) : match.start()])[-1]
         named = engine_named(before, len(before))
         angle = Fraction(match["angle"])

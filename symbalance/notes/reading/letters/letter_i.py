@@ -36,5 +36,6 @@ def counts_by_i(text: str) -> bool:
     >>> counts_by_i("the harmonic of order $i$"), counts_by_i("order $i$ of $e^{i t}$")
     (True, False)
     """
-    is_letter = _COUNTS.search(text) is not None or _GIVEN.search(text) is not None
+    is_given = "=" in text and _GIVEN.search(text) is not None
+    is_letter = is_given or _COUNTS.search(text) is not None
     return is_letter and _COMPLEX.search(text) is None
