@@ -270,6 +270,8 @@ def is_multiple_of_letter(text: str, place: int, end: int) -> bool:
     (True, False)
     """
     letter = text[place : place + 1]
+    if _fills_group(text, place):
+        return True
     may_end = letter in _HEADS_IN and _ENDS.match(text, place + 1, max(end, place + 1)) is not None
     first = max(place - 120, text.rfind("\n", 0, place) + 1)
     number = _MULTIPLE_BEFORE.search(text, first, place) if may_end else None
@@ -286,9 +288,20 @@ def is_multiple_of_letter(text: str, place: int, end: int) -> bool:
     if head is not None:  # a force or an energy may have any capital letter
         is_sure = letter.islower() or head["stem"].islower() or bool(number["fraction"])
         return is_sure and head["stem"] not in _HEADS_IN[letter]
-    if number["decimal"]:
+    is_product = any(p.search(before) for p in (_PRODUCT_BEFORE, _TERM_OF_SUM))
+    return not number["decimal"] and (bool(number["fraction"]) or is_product)
+
+
+def _fills_group(text: str, place: int) -> bool:
+    r"""Tell whether 2s is all of a group, \frac{v^2}{2s} or v²/(2s), on a page with s = 90 mm.
+
+    Two seconds there would have a number with its unit above: \frac{100 m}{2s} is a speed.
+    """
+    is_whole = text[place + 1 : place + 2] in ("}", ")") and text[place - 1 : place].isdecimal()
+    if not is_whole or text[place] not in _letters_with_values(text):
         return False
-    return bool(number["fraction"]) or any(p.search(before) for p in (_PRODUCT_BEFORE, _TERM_OF_SUM))
+    opened = _GROUP_OPENED.search(text, max(0, place - 60), place)
+    return opened is not None and _UNIT_AROUND.search(opened["above"] or "") is None
 
 
 _SECOND_VALUE = re.compile(r"\s*\(\s*[0-9][0-9.,]*\s*[A-Za-zµ/²³^0-9]{1,8}\.?\s*\)")
@@ -382,6 +395,10 @@ _IN_FORMULAS = re.compile(
     rf"|\\[dt]?frac[ ]?{_NUMERATOR}[ ]?\{{?[ ]?(?P<below>[{_UNIT_LETTERS}])(?=[\s}}$+)=]|$)"
     rf"|\^(?:\{{[0-9]?)?(?P<bound>[{_UNIT_LETTERS}])(?=[\s}}+$)-])"
 )
+_GROUP_OPENED = re.compile(
+    r"(?:\\[dt]?frac\s*(?:\{(?P<above>[^{}]*(?:\{[^{}]*\}[^{}]*)*)\})?\s*\{|\\sqrt\s*\{\s*\\[dt]?frac\s*\{|/\s*\(|\()\s*[0-9]$"
+)
+"""A group that nothing but a number has been typed in: \\frac{v^2}{2, v²/(2."""
 _LONE_SIZE = re.compile(r"(?:=|≈|\\approx(?![A-Za-z]))[ ]?[-−]?[0-9.,]+$")
 
 

@@ -22,6 +22,7 @@ from symbalance.notes.checking.deciding.parts_apart import parts_apart
 from symbalance.notes.checking.deciding.rounding import (
     agrees_as_printed,
     decimals,
+    exact_exponents,
     whole_before_unit,
     with_decimals,
 )
@@ -156,7 +157,8 @@ def _by_trees(
         return Decision(PROVED, order="the digits printed", assumptions=level.assumptions, level=level)
     for point, pair in points:
         if not _close(*pair):
-            return Decision(REFUTED, reason, level=level, witness=witness_at(point, pair))
+            shown = "their values differ" if is_number else reason
+            return Decision(REFUTED, shown, level=level, witness=witness_at(point, pair))
     if points and _is_repeated(left, right, meaning.values):
         return Decision(PROVED, assumptions=level.assumptions, level=level)
     if points:
@@ -182,7 +184,8 @@ def _agree_as_typed(
     margin: Any = 0
     for side, value in zip((left, right), pair, strict=True):
         node = with_decimals(side, meaning.values)  # β = 17.5° too stands for all that is rounded to it
-        for number in decimals(node):
+        exact = exact_exponents(node)
+        for number in (each for each in decimals(node) if id(each) not in exact):
             may_round = is_lone_number(side) or may_be_rounded(number, printed)
             if number.last_place is None or not may_round:
                 continue

@@ -59,6 +59,12 @@ def decimals(node: Formula) -> list[Number]:
     return [part for part in formula.parts_of_kind(node, Number) if part.last_place is not None]
 
 
+def exact_exponents(node: Formula) -> set[int]:
+    """Return the decimals of exponents, by their identity: the 0.4 of 9^0.4 is meant as it stands."""
+    powers = formula.parts_of_kind(node, formula.Power)
+    return {id(number) for power in powers for number in decimals(power.exponent)}
+
+
 def _distinct(node: Formula) -> list[Number]:
     """Return the decimals of a formula; that of a letter, wherever it is put in, is one."""
     return list({id(number): number for number in decimals(node)}.values())
@@ -355,7 +361,8 @@ def _spread(
     """
     total = by_data = context().mpf(0)
     own = {id(part) for part in formula.walk(typed)}
-    for number in _distinct(node):
+    exact = exact_exponents(node)
+    for number in (each for each in _distinct(node) if id(each) not in exact):
         assert number.last_place is not None
         is_rounded = may_be_rounded(number, printed)
         is_open = significant(number) >= LONG and id(number) not in own

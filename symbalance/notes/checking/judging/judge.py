@@ -200,6 +200,7 @@ from symbalance.notes.checking.steps.solutions_of_the_first import unless_added_
 from symbalance.notes.checking.steps.solved_exercises import SolvedExercises
 from symbalance.notes.checking.steps.solved_pairs import unless_pair_is_wrong
 from symbalance.notes.checking.steps.speeds_by_two_clocks import unless_by_the_minute
+from symbalance.notes.checking.steps.speeds_for_omega import with_omega_of_speed
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
 from symbalance.notes.checking.steps.supposed_in_prose import unless_supposed_otherwise
@@ -316,6 +317,7 @@ _LAST: tuple[_Look, ...] = (
     by_turns_counted,
     by_line_before,
     unless_other_things_change,
+    with_omega_of_speed,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,

@@ -167,6 +167,7 @@ def _completes_equation(
         for c in document.chains
         if c.end <= chain.start and isinstance(c.sides[0].node, Name) and not names(c.sides[-1].node)
     }
+    given |= {"omega"} if given & {"n", "N"} else set()  # P = T ω, and n = 3000 rpm
     return head.name not in given and any(c.letters - {head.name} <= given for c in equations)
 
 

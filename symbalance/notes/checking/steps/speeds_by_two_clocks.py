@@ -34,7 +34,8 @@ def unless_by_the_minute(state: JudgingState, chain: Chain, k: int, verdict: Ver
         return verdict
     name = _speed_by_minute(state, chain, head, formula)
     knowledge = state.knowledge(chain.lines[0])
-    if knowledge.knows(name) or name in knowledge.meanings:
+    is_put_in = any(not names(side.node) for side in chain.sides[2:])  # s n/30 = 0.09·3000/30
+    if not is_put_in and (knowledge.knows(name) or name in knowledge.meanings):
         return verdict  # the page says in which unit it counts
     there = _with_speed_by_minute(state, chain, k, name) if name else None
     return verdict if there is None else describe(state.document, chain, k, there)

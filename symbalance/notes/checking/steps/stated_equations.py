@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Power, Product, Sum, names, walk
+from symbalance.document.formula import Formula, Name, Number, Product, Sum, names
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.letters_behind import names_behind
@@ -15,7 +15,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision, decid
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.numbers_put_in import paired, without_unit
 from symbalance.notes.checking.deciding.relations import decide
-from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.rounding import decimals, exact_exponents
 from symbalance.notes.checking.page.solutions import NEAR
 from symbalance.notes.checking.premises import constraints
 from symbalance.notes.checking.premises.constraints import Constraint
@@ -70,7 +70,7 @@ def _is_rough_for(state: JudgingState, name: str, chain: Chain, k: int) -> bool:
 
 def _has_rounded(node: Formula) -> bool:
     """Tell whether a formula has a rounded number; the exponent 1.4 of a gas law is meant as printed."""
-    exact = {id(n) for part in walk(node) if isinstance(part, Power) for n in decimals(part.exponent)}
+    exact = exact_exponents(node)
     return any(id(number) not in exact for number in decimals(node))
 
 

@@ -57,6 +57,8 @@ def with_divisions(text: str) -> Rewritten | None:
     >>> with_divisions("Fig. 3 : 4 · 2 = 8, at 12:30, mixed 1 : 4") is None
     True
     """
+    if ":" not in text:
+        return None
     colons = [match.span("colon") for match in _RATIO.finditer(text) if _divides(text, match)]
     for ratio in (_OF_LETTERS, _OF_TWO_LETTERS):
         colons += [match.span("colon") for match in ratio.finditer(text)]
