@@ -152,6 +152,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
     by_square_above,
 )
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
+from symbalance.notes.checking.steps.needed_sizes import unless_size_fails
 from symbalance.notes.checking.steps.numbers_by_formulas import unless_a_formula_gives_it
 from symbalance.notes.checking.steps.numbers_said_again import unless_said_again
 from symbalance.notes.checking.steps.only_solutions import unless_not_the_only
@@ -318,6 +319,7 @@ _LAST: tuple[_Look, ...] = (
     by_line_before,
     unless_other_things_change,
     with_omega_of_speed,
+    unless_size_fails,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,
