@@ -118,6 +118,7 @@ from symbalance.notes.checking.steps.ended_cases import (
 )
 from symbalance.notes.checking.steps.expanded_determinants import unless_another_polynomial
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
+from symbalance.notes.checking.steps.extremes_by_index import unless_other_extreme
 from symbalance.notes.checking.steps.extremes_in_numbers import unless_no_such_value
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.forced_motions import unless_no_forced_motion
@@ -320,6 +321,7 @@ _LAST: tuple[_Look, ...] = (
     unless_other_things_change,
     with_omega_of_speed,
     unless_size_fails,
+    unless_other_extreme,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,
