@@ -112,7 +112,8 @@ def constraint_of(
     )
     for name, node, other_side in by_use:
         is_new = name not in earlier and (
-            not knowledge.has_meaning(name) or _is_sought(name, {*first, *second}, knowledge)
+            not knowledge.has_meaning(name)
+            or (not isinstance(left, Name) and _is_sought(name, {*first, *second}, knowledge))
         )
         if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
             constraint = _constraint(node, other_side, name, knowledge)
