@@ -29,6 +29,7 @@ def test_one_root_of_two_holds_on_condition(page, left_out):
     "page",
     [
         "$$x^2 - 5x + 6 = 0$$\n\nso $x = 2$ or $x = 3$.",
+        "$x^2 = 2x$ so $x = 2$ or $x = 0$.",
         "$$x^2 - 5x + 6 = 0$$\n\nThe smaller root is $x = 2$.",
         "$$x^2 - 5x + 6 = 0$$\n\nHence $x_1 = 2$, $x_2 = 3$.",
         "$$2x + 1 = 7$$\n\nso $x = 3$.",

@@ -243,7 +243,8 @@ def _equation_after_equation(
     if lost is not None and decision.is_proved and (other := _ANGLE.match(sections.behind_or(chain))):
         return _with_other_angle(Fraction(other["degrees"]), first, second, decision, knowledge)
     if lost is not None and decision.is_proved:
-        return _where_nothing_vanishes(lost, first, second, decision, knowledge)
+        is_one = sections.is_one_of_several(chain)  # x = 2 or x = 0
+        return decision if is_one else _where_nothing_vanishes(lost, first, second, decision, knowledge)
     own = given | names(second[0]) | names(second[1])
     is_bare = all(isinstance(node, Name) for node in second) and own.isdisjoint(knowledge.meanings)
     if lost is None or decision.status != PREMISE or (_differs_in_sign(lost, second) and not is_bare):

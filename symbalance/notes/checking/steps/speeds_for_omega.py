@@ -25,6 +25,10 @@ from symbalance.notes.checking.verdicts import DEFINITION, PREMISE, Verdict
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
+_OTHER = re.compile(
+    r"cam|gear|half|twice|motor\s+speed|Nocken|Getriebe|halb|doppelt|カム|歯車", re.IGNORECASE
+)
+"""Words of another shaft than the one that ω is of."""
 FEWEST = 10
 """A whole number from here on may be a rounded result."""
 _OMEGAS = ("omega", "Omega")
@@ -115,6 +119,7 @@ def _speed(state: JudgingState, chain: Chain) -> tuple[str, Formula] | None:
             continue
         typed = state.document.source(last.sides[-1].span)
         behind = state.document.text[last.end : last.end + 12]
-        if not names(last.sides[-1].node) and _BY_MINUTE.search(typed + behind):
+        is_of_other = _OTHER.search(state.sections.sentence_before(last)) is not None
+        if not names(last.sides[-1].node) and not is_of_other and _BY_MINUTE.search(typed + behind):
             found.append((name, last.sides[-1].node))
     return found[0] if len(found) == 1 else None
