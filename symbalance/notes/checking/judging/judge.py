@@ -188,6 +188,7 @@ from symbalance.notes.checking.steps.roots_by_kind import unless_of_another_kind
 from symbalance.notes.checking.steps.roots_left_out import with_root_left_out
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
+from symbalance.notes.checking.steps.rounded_pi import unless_with_own_pi
 from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
 from symbalance.notes.checking.steps.scaled_by_proportion import unless_scaled_against_proportion
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
@@ -322,6 +323,7 @@ _LAST: tuple[_Look, ...] = (
     with_omega_of_speed,
     unless_size_fails,
     unless_other_extreme,
+    unless_with_own_pi,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,
