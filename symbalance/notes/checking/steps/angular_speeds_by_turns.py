@@ -32,7 +32,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.verdicts import DEFINITION, PREMISE, UNDECIDED, Verdict
+from symbalance.notes.checking.verdicts import DEFINITION, HOLDS, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
@@ -49,7 +49,7 @@ _COUNTED = re.compile(
 )
 """A letter right before the revolutions that it counts."""
 _OTHER = re.compile(
-    r"cam|gear|half|twice|double|order|belt|wheel\s+of|ratio|Nocken|Getriebe|halb|doppelt|Ordnung|カム|歯車|次",
+    r"cam|gear|whirl|natural|critical|resonan|excit|Eigen|Erreg|kritisch|固有|共振|half|twice|double|order|belt|wheel\s+of|ratio|Nocken|Getriebe|halb|doppelt|Ordnung|カム|歯車|次",
     re.IGNORECASE,
 )
 """Words of another shaft, or of a multiple."""
@@ -59,19 +59,29 @@ _NEAR_WORDS = 120
 """Characters before a number in which words name the speed that it is of."""
 _USUAL = tuple(Fraction(text) for text in ("1/2", "2", "60", "1/60", "30", "1/30"))
 """Factors by which who converts revolutions goes wrong, beside those with π."""
-_NEAR = 1e-3
+_NEAR, _ROUNDED = 1e-3, 5e-3
+"""Parts by which a coefficient, and a printed number, may be off."""
+_AT = re.compile(
+    r"[\s$a-z/^{}\\1⁻¹-]{0,14}?\s(?:at|bei|à|a|per|um)\s+[$\s]*(?:[nN]\s*=\s*)?[0-9][^,;.]{0,24}",
+    re.IGNORECASE,
+)
+"""A speed right behind a number: at 3000 rpm."""
+_JUDGED = (DEFINITION, PREMISE, UNDECIDED, HOLDS)
 
 
 def by_turns_counted(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; that on ω = c N by words that count N, or on ω = 1300/60 at 1300 rpm."""
     head, claim = chain.sides[0].node, chain.sides[1].node
-    if k or verdict.verdict not in (DEFINITION, PREMISE, UNDECIDED) or not isinstance(head, Name):
+    if k or verdict.verdict not in _JUDGED or not isinstance(head, Name):
         return verdict
     declared = state.declarations.symbols_at(chain.lines[0]).get(head.name, "")
     if head.name not in ("omega", "Omega", "w") or (declared and role_of(declared) != "angular speed"):
         return verdict
     own = names(claim)
-    if any(isinstance(part, Derivative) for part in walk(claim)):
+    beside = None if own else _of_speed_beside(state, chain)
+    if beside is not None:
+        return describe(state.document, chain, k, beside)
+    if verdict.verdict == HOLDS or any(isinstance(part, Derivative) for part in walk(claim)):
         return verdict
     if not own:
         return _of_speed_in_words(state, chain, verdict)
@@ -91,12 +101,40 @@ def _of_letter(state: JudgingState, chain: Chain, verdict: Verdict, name: str) -
     text = f"{plain_letter(head.name)} is the angular speed of {plain_letter(name)} revolutions a {time}"
     if ratio is not None and math.isclose(ratio, 1, rel_tol=_NEAR):
         return describe(state.document, chain, 0, Decision(PROVED, assumptions=(text,)))
-    factors = [float(f) for f in _USUAL] + [1 / math.pi, 1 / (2 * math.pi), math.pi, 2 * math.pi]
-    if ratio is None or not any(math.isclose(ratio, f, rel_tol=_NEAR) for f in factors):
+    if ratio is None or not any(math.isclose(ratio, f, rel_tol=_NEAR) for f in _factors()):
         return verdict
     reason = f"if {text}: that is {formula_text(right, plain=True)}"
     state.definitions.forget(head.name, chain.lines[0])
     return describe(state.document, chain, 0, Decision(REFUTED, reason))
+
+
+def _of_speed_beside(state: JudgingState, chain: Chain) -> Decision | None:
+    """Return the decision on ω = 314 rad/s by the one speed of its clause, "at 3000 rpm"; else None."""
+    text, value = state.document.text, chain.sides[-1]
+    before = re.split(r"[,;:.]\s|\n\n", text[max(0, chain.start - _NEAR_WORDS) : chain.start])[-1]
+    behind = _AT.match(text, chain.end)
+    words = (behind[0] if behind is not None else before).replace("$", "")
+    speeds = speeds_of(words)
+    number = number_of(value.node, state.knowledge(chain.lines[0]))
+    is_lone = (
+        len(chain.relations) == 1
+        and "rad" in state.document.source(value.span) + text[chain.end : chain.end + 8]
+    )
+    if len(speeds) != 1 or not is_lone or not number or _OTHER.search(words):
+        return None
+    (speed,) = speeds
+    ratio = float(number) / (math.pi * speed / 30)
+    shown = f"{speed} revolutions a minute are {math.pi * speed / 30:.4g} rad/s"
+    if math.isclose(ratio, 1, rel_tol=_ROUNDED):
+        return Decision(PROVED, shown, order="the digits printed")
+    is_slip = any(math.isclose(ratio, f, rel_tol=_ROUNDED) for f in _factors())
+    return Decision(REFUTED, shown) if is_slip else None
+
+
+def _factors() -> list[float]:
+    """Return the factors by which who converts revolutions goes wrong."""
+    turns = [1 / math.pi, 1 / (2 * math.pi), math.pi, 2 * math.pi]
+    return [float(f) for f in _USUAL] + turns
 
 
 def _of_speed_in_words(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:
