@@ -116,6 +116,7 @@ from symbalance.notes.checking.steps.ended_cases import (
     turn_to_opposite_range,
     unless_of_ended_case,
 )
+from symbalance.notes.checking.steps.english_numbers import unless_in_english_units
 from symbalance.notes.checking.steps.expanded_determinants import unless_another_polynomial
 from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.extremes_by_index import unless_other_extreme
@@ -324,6 +325,7 @@ _LAST: tuple[_Look, ...] = (
     unless_size_fails,
     unless_other_extreme,
     unless_with_own_pi,
+    unless_in_english_units,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,
