@@ -35,8 +35,13 @@ def test_an_extreme_or_a_mean_in_numbers(said, right, wrong):
     [
         TORQUE + "The maximum permissible torque is $M_{max} = 125$.",
         TORQUE + "Between 0 and 10° the largest is $M_{max} = 117$.",
-        TORQUE + "With that, $M_{max} = 125$.",
+        TORQUE + "With that, $K_{max} = 125$.",
     ],
 )
 def test_an_extreme_of_something_else_is_a_datum(said):
     assert last(said) in ("definition", "premise")
+
+
+def test_a_subscript_names_an_extreme_without_words():
+    assert last(TORQUE + "With that, $M_{max} = 150$.") in ("holds", "holds_to_order", "conditional")
+    assert last(TORQUE + "With that, $M_{max} = 125$.") == "refuted"

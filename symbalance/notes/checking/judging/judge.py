@@ -189,6 +189,7 @@ from symbalance.notes.checking.steps.roots_by_kind import unless_of_another_kind
 from symbalance.notes.checking.steps.roots_left_out import with_root_left_out
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
+from symbalance.notes.checking.steps.rough_rod_angles import unless_rough_in_rod_angle
 from symbalance.notes.checking.steps.rounded_pi import unless_with_own_pi
 from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
 from symbalance.notes.checking.steps.scaled_by_proportion import unless_scaled_against_proportion
@@ -214,6 +215,7 @@ from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_de
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
+from symbalance.notes.checking.steps.values_at_numbers import unless_at_two_numbers
 from symbalance.notes.checking.steps.values_converted import unless_converted_wrongly
 from symbalance.notes.checking.steps.values_for_formulas import (
     leave_value_of_formula,
@@ -326,6 +328,8 @@ _LAST: tuple[_Look, ...] = (
     unless_other_extreme,
     unless_with_own_pi,
     unless_in_english_units,
+    unless_rough_in_rod_angle,
+    unless_at_two_numbers,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,

@@ -36,10 +36,11 @@ from symbalance.text import lazy_patterns as re
 _NAMED = re.compile(r"(?P<stem>[^\W_]+(?:_[^\W_]+)*)_(?P<kind>max|min)")
 _LIMIT = re.compile(
     r"(?<![^\W\d_])(?:allow\w*|permi\w+|limit\w*|rated|yield|design|zul\w*|erlaub\w*|grenz\w*|nenn\w*|admissible|amissibil\w+"
-    r"|admisible|limite|at\s+most|speed\s+range|governor)(?![^\W\d_])|許容|限界|定格",
+    r"|admisible|limite|at\s+most|speed\s+range|governor"
+    r"|between|from|within|zwischen|von|entre|da|desde)(?![^\W\d_])|許容|限界|定格|から",
     re.IGNORECASE,
 )
-"""Words for a bound that somebody sets, and no extreme of the formula."""
+"""Words for a bound that somebody sets or for a part of a turn, and no extreme of the formula."""
 
 
 def unless_other_extreme(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
