@@ -204,6 +204,7 @@ from symbalance.notes.checking.steps.slips_at_places import unless_wrong_at_plac
 from symbalance.notes.checking.steps.solutions_of_the_first import unless_added_by_squaring
 from symbalance.notes.checking.steps.solved_exercises import SolvedExercises
 from symbalance.notes.checking.steps.solved_pairs import unless_pair_is_wrong
+from symbalance.notes.checking.steps.speeds_by_index import by_speed_of_one_index
 from symbalance.notes.checking.steps.speeds_by_two_clocks import unless_by_the_minute
 from symbalance.notes.checking.steps.speeds_for_omega import with_omega_of_speed
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
@@ -321,6 +322,7 @@ _LAST: tuple[_Look, ...] = (
     with_root_left_out,
     unless_condition_again,
     by_turns_counted,
+    by_speed_of_one_index,
     by_line_before,
     unless_other_things_change,
     with_omega_of_speed,

@@ -59,7 +59,7 @@ _NEAR_WORDS = 120
 """Characters before a number in which words name the speed that it is of."""
 _USUAL = tuple(Fraction(text) for text in ("1/2", "2", "60", "1/60", "30", "1/30"))
 """Factors by which who converts revolutions goes wrong, beside those with π."""
-_NEAR, _ROUNDED = 1e-3, 5e-3
+_NEAR, ROUNDED = 1e-3, 5e-3
 """Parts by which a coefficient, and a printed number, may be off."""
 _AT = re.compile(
     r"[\s$a-z/^{}\\1⁻¹-]{0,14}?\s(?:at|bei|à|a|per|um)\s+[$\s]*(?:[nN]\s*=\s*)?[0-9][^,;.]{0,24}",
@@ -101,7 +101,7 @@ def _of_letter(state: JudgingState, chain: Chain, verdict: Verdict, name: str) -
     text = f"{plain_letter(head.name)} is the angular speed of {plain_letter(name)} revolutions a {time}"
     if ratio is not None and math.isclose(ratio, 1, rel_tol=_NEAR):
         return describe(state.document, chain, 0, Decision(PROVED, assumptions=(text,)))
-    if ratio is None or not any(math.isclose(ratio, f, rel_tol=_NEAR) for f in _factors()):
+    if ratio is None or not any(math.isclose(ratio, f, rel_tol=_NEAR) for f in usual_factors()):
         return verdict
     reason = f"if {text}: that is {formula_text(right, plain=True)}"
     state.definitions.forget(head.name, chain.lines[0])
@@ -125,13 +125,18 @@ def _of_speed_beside(state: JudgingState, chain: Chain) -> Decision | None:
     (speed,) = speeds
     ratio = float(number) / (math.pi * speed / 30)
     shown = f"{speed} revolutions a minute are {math.pi * speed / 30:.4g} rad/s"
-    if math.isclose(ratio, 1, rel_tol=_ROUNDED):
+    if math.isclose(ratio, 1, rel_tol=ROUNDED):
         return Decision(PROVED, shown, order="the digits printed")
-    is_slip = any(math.isclose(ratio, f, rel_tol=_ROUNDED) for f in _factors())
+    is_slip = any(math.isclose(ratio, f, rel_tol=ROUNDED) for f in usual_factors())
     return Decision(REFUTED, shown) if is_slip else None
 
 
-def _factors() -> list[float]:
+def is_of_another_shaft(words: str) -> bool:
+    """Tell whether words name another shaft than the crank, or a multiple of its speed."""
+    return _OTHER.search(words) is not None
+
+
+def usual_factors() -> list[float]:
     """Return the factors by which who converts revolutions goes wrong."""
     turns = [1 / math.pi, 1 / (2 * math.pi), math.pi, 2 * math.pi]
     return [float(f) for f in _USUAL] + turns

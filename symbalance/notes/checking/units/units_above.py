@@ -16,6 +16,7 @@ from math import isclose, log10, pi
 from typing import NamedTuple
 
 from symbalance.document.formula import (
+    Call,
     Formula,
     Name,
     Negative,
@@ -241,6 +242,8 @@ def _without(node: Formula, ones: Collection[Fraction]) -> Formula:
             with_ones = Quotient(_without(above, ones), _without(below, ones))
         case Sum(terms=parts):
             with_ones = replace(node, terms=tuple(_without(part, ones) for part in parts))
+        case Call(argument=argument):
+            with_ones = replace(node, argument=_without(argument, ones))
         case _:
             pass
     return with_ones

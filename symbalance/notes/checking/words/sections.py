@@ -268,6 +268,13 @@ _TURN = re.compile(
     re.IGNORECASE,
 )
 """A part of a turn without a sign at the end of a heading, or before a crank: the 270."""
+_BANK_ANGLE = re.compile(
+    r"(?<![A-Za-z])(?:bankwinkel|gabelwinkel|v-?winkel|(?:bank|vee|v)[-\s]angle|angle\s+(?:du|entre\s+les)\s+\w+"
+    r"|(?:バンク|Ｖ|V)(?:間)?角度?)(?:\s+(?:of|von|de))?[\s:=＝はの$]{0,4}(?:\\?\w+\s*=\s*)?"
+    r"(?P<angle>[1-9][0-9]{1,2}(?:[.,][0-9])?)\s*(?:°|\^?\{?\\circ|degrees?|deg|Grad|degrés|度)",
+    re.IGNORECASE,
+)
+"""A bank angle in words, in a heading and in the text: Bankwinkel γ = 90°."""
 _EXCEPT_BEHIND = re.compile(r"[\s$)\]}]{0,4}(?:以外|を除)")
 _SUPPOSED = re.compile(
     r"(?<![A-Za-zÀ-ÿ])(?:would|wäre|wären|würde|würden|hätte)(?![A-Za-zÀ-ÿ])", re.IGNORECASE
@@ -986,10 +993,21 @@ class Sections:
             ]
             if all(len(each) == 1 for each in angles) and angles[0] != angles[1]:
                 return True
+            if self._is_of_other_banks(headings[1], earlier_line):
+                return True
             named = [self._named_in_headings(n) for n in (earlier_line, line)]  # in any language
             counts = [engine.cylinders for engine in named if engine is not None]
             return True if len(set(counts)) > 1 else None
         return case_words.is_other_engine(before, now)
+
+    def _is_of_other_banks(self, heading: str, earlier_line: int) -> bool:
+        """Tell whether a heading names another bank angle than the text above an earlier line."""
+        now = _BANK_ANGLE.search(heading)
+        if now is None:
+            return False
+        above = self.document.text[: self.start_of_line(earlier_line)]
+        before = [match["angle"] for match in _BANK_ANGLE.finditer(above)]
+        return bool(before) and before[-1] != now["angle"]
 
     def start_of_line(self, line: int) -> int:
         """Return the place of a line's first character."""
