@@ -195,6 +195,7 @@ from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
 from symbalance.notes.checking.steps.scaled_by_proportion import unless_scaled_against_proportion
 from symbalance.notes.checking.steps.scaled_in_words import scaled_in_words
 from symbalance.notes.checking.steps.scaled_numbers import unless_scaled_wrongly
+from symbalance.notes.checking.steps.scales_of_diagrams import unless_scale
 from symbalance.notes.checking.steps.series_out_of_reach import unless_series_out_of_reach
 from symbalance.notes.checking.steps.series_relations import judge_series
 from symbalance.notes.checking.steps.signs_denied import unless_sign_denied
@@ -213,6 +214,7 @@ from symbalance.notes.checking.steps.supposed_in_prose import unless_supposed_ot
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
 from symbalance.notes.checking.steps.systems_of_formulas import unless_of_a_system
 from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
+from symbalance.notes.checking.steps.trial_exponentials import unless_trial_exponential
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
@@ -323,6 +325,8 @@ _LAST: tuple[_Look, ...] = (
     unless_condition_again,
     by_turns_counted,
     by_speed_of_one_index,
+    unless_scale,
+    unless_trial_exponential,
     by_line_before,
     unless_other_things_change,
     with_omega_of_speed,

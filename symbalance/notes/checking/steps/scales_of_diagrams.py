@@ -1,0 +1,34 @@
+"""Scales of diagrams: 1 mm = 50 N m says how long a torque is drawn, and is no equation of sizes.
+
+One unit of length on paper stands for a quantity of another kind. What it stands for is the page's
+choice; of two lengths or two angles, as in 1 cm = 10 mm, the relation is a conversion and is judged.
+"""
+
+from __future__ import annotations
+
+from symbalance.document.formula import names
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.units.dimensions import unit_of, written_unit
+from symbalance.notes.checking.verdicts import PREMISE, REFUTED, Verdict
+from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
+
+_ONE_LENGTH = re.compile(r"\s*(?:\\SI\{)?1(?:[.,]0)?\s*(?:\\,|~|\}?\{)?\s*[\\A-Za-z]")
+_CIRCLE = re.compile(r"\s*\^\s*\{?\s*\\circ\s*\}?")
+_SPACES = re.compile(r"\\[,;:! ]|~")
+
+
+def unless_scale(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; a premise for one unit of length that stands for another kind of quantity."""
+    if k or verdict.verdict != REFUTED or len(chain.relations) != 1 or chain.relations[0].sign == "≠":
+        return verdict
+    sides = chain.sides
+    sources = [_CIRCLE.sub("°", state.document.source(side.span)) for side in sides]
+    if any(names(side.node) for side in sides) or not _ONE_LENGTH.match(sources[0]):
+        return verdict
+    units = [unit_of(written_unit(_SPACES.sub(" ", source))[1]) for source in sources]
+    if units[0] != unit_of("m") or units[1] is None or units[1] == units[0]:
+        return verdict
+    return describe(state.document, chain, k, Decision(PREMISE, "the scale of a diagram"))
