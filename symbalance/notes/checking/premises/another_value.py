@@ -301,6 +301,9 @@ def _each_opens_its_case(definitions: Definitions, name: str, value: Formula, ch
 
 
 _REACH = 20
+_MARK = re.compile(r"(?:^|\n)[ \t]*\(?[a-z0-9]{1,2}[.)][\s$]*$")
+"""The mark of an item that begins with a formula: (a)."""
+_ARITHMETIC = re.compile(r"\\(?:cdot|times|[dt]?frac|pi)(?![a-z])|[*×·+π]")
 _CASE_ITSELF = re.compile(r"(?<![^\W\d_])(?:for|if|für|bei|wenn|pour|si|per|para)[\s$(]*$", re.IGNORECASE)
 
 
@@ -330,10 +333,10 @@ def _is_labelled_otherwise(
     definitions: Definitions, name: str, earlier: Definition, value: Formula, chain: Chain
 ) -> bool:
     """Tell whether labels give two numbers of a letter to two things, short rod: λ = …, long rod: …"""
-    if names(value):
-        return False
     sections = definitions.sections
     above = sections.chains_above(Name(name), chain.start)
+    if names(value) or (above and _is_next_step(sections.document.text, above[-1], chain)):
+        return False
     if any(definitions.labelled_data.is_another(chain, before) for before in above[-MOST_GIVERS:]):
         return True
     is_result = sections.has_formula_above(Name(name), chain.start)
@@ -347,6 +350,13 @@ def _is_labelled_otherwise(
     labels = [label_beside(text, c.start, c.sides[1].span[1]) for c in (above[-1], chain)]
     ends = [label_beside(text, c.start, c.end) for c in (above[-1], chain)]
     return are_labels_of_a_kind(labels[0], labels[1]) or are_labels_of_a_kind(ends[0], ends[1])
+
+
+def _is_next_step(text: str, before: Chain, chain: Chain) -> bool:
+    """Tell whether an arithmetic stands at once behind one item's mark, and a number behind the next."""
+    first, second = (text[slice(*c.sides[1].span)] for c in (before, chain))
+    is_computed = _ARITHMETIC.search(first) is not None and not _ARITHMETIC.search(second)
+    return is_computed and all(_MARK.search(text[max(0, c.start - 8) : c.start]) for c in (before, chain))
 
 
 def _is_rounded_choice(

@@ -29,6 +29,7 @@ from symbalance.notes.checking.units.conversions import quantity_of
 from symbalance.notes.checking.verdicts import CONDITION, PREMISE, UNDECIDED
 from symbalance.notes.checking.words.case_words import clause_before
 from symbalance.notes.checking.words.cases_named import (
+    OF_ANOTHER_ENGINE,
     names_another_example,
     names_some_engine,
 )
@@ -193,7 +194,7 @@ def as_number_of_another(state: JudgingState, chain: Chain, k: int) -> Decision 
         if given is None or not has_formula or given.solved:  # a formula is as good there
             state.definitions.forget_all(head.name)
             state.definitions.define(head.name, value, chain)
-        return Decision(PREMISE, "of another engine than above")
+        return Decision(PREMISE, OF_ANOTHER_ENGINE)
     is_below = given is not None and given.line < state.sections.paragraph_start(line)
     if is_below and names_some_engine(words):
         return Decision(UNDECIDED, "of the engine above it is another number: say which is meant")

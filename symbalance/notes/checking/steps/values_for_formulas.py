@@ -30,6 +30,7 @@ from symbalance.notes.checking.verdicts import (
     UNDECIDED,
     Verdict,
 )
+from symbalance.notes.checking.words.cases_named import OF_ANOTHER_ENGINE
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -51,6 +52,7 @@ def unless_by_value_of_formula(state: JudgingState, chain: Chain, k: int, verdic
     is_range = sign in SATISFIED_BY
     is_claim = is_range and (state.sections.is_consequence(chain) or _is_of_its_sentence(state, chain))
     is_claim = is_claim or (sign in "=≈" and not names(right.node))  # and not: required is σ < 100
+    is_open = is_open and verdict.reason != OF_ANOTHER_ENGINE
     if not (is_open and is_claim) or state.sections.opens_case(chain):
         return verdict
     node = chain.sides[k].node if is_range else next(_formulas(state, chain, k), None)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from symbalance.text import lazy_patterns as re
 
+OF_ANOTHER_ENGINE = "of another engine than above"
+"""What is said of a number that words give to another engine."""
 _DEGREES = (
     r"(?<![0-9.,+*/^-])(?P<{}>[1-9][0-9]{{1,2}})\s?\$?\s?"
     r"(?:°|\^\s?\{{?\\circ\}}?|-?\s?(?:degrees?|deg(?![a-z]))|Grad(?![a-z])|度)\$?"

@@ -1,4 +1,4 @@
-"""Numbers of one letter in one breath: for x = 2 and for x = 3; x = 2 or x = 3; neither for … nor for …
+"""Numbers of one letter in one breath: for x = 2 and for x = 3; x = 2 or x = 3; neither this nor that.
 
 What is said behind them is said of each, unless its words name one of them: "in the first case x² = 4".
 """
