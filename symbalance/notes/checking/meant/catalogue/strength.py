@@ -257,6 +257,7 @@ STRENGTH: tuple[Quantity, ...] = (
         words(r"axial\s+(?:second\s+)?moment(?:\s+of\s+(?:area|inertia))?",
         r"(?:axiales?n?|äquatoriales?n?)\s+"
                r"(?:flächen)?(?:trägheits)?moment", r"second moment of area (?:for|in) bending",
+               r"曲げの(?:中心軸に対する)?断面(?:二次|2次)モーメント",
                r"(?:second\s+)?moment of (?:area|inertia)\s+about (?:a|its|the) diameter"),
         _SECTION_AXIAL, context=words(r"bending|biegung|曲げ"),
         unless=words(HOLLOW, _NOTCH, r"polar|極|\bmass"
