@@ -26,8 +26,3 @@ def test_the_side_force_goes_with_the_tangent(tmp_path):
 @pytest.mark.parametrize("said", ["Approximately F_2 = F_1 sin β.", "F_2 ≈ F_1 sin β."])
 def test_what_is_called_rough_is_compared_roughly(tmp_path, said):
     assert verdict(tmp_path, "F_2 = F_1 tan β. " + said) == "conditional"
-
-
-@pytest.mark.parametrize("said", ["Approximately F_N = F_K sin β.", "F_N ≈ F_K sin β."])
-def test_the_side_force_is_roughly_the_sine(tmp_path, said):
-    assert verdict(tmp_path, said) == "conditional"

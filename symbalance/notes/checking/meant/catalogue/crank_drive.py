@@ -262,10 +262,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         net_force * SIN_ROD, net_force * COS_ROD, net_force / TAN_ROD, rod_force * TAN_ROD,
                   rod_force * COS_ROD, piston_force * ratio * COS_CRANK),
         others=(any_force * SIN_ROD,),
-        approximate=(
-            piston_force * ratio * SIN_CRANK, any_force * ratio * SIN_CRANK,
-            piston_force * SIN_ROD, any_force * SIN_ROD,
-        ),
+        approximate=(piston_force * ratio * SIN_CRANK, any_force * ratio * SIN_CRANK),
         unless=words(_OFFSET, r"crosshead guide angle|bearing|reibungsbeiwert", _FRICTION),
         turns=True, only=_ENGINE, is_told_once=True,
     ),
