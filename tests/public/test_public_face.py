@@ -68,7 +68,6 @@ def test_a_public_name_stays_itself_when_its_module_is_imported():
 LONGEST_SENTENCE = 130
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "room", sorted(p.name for p in PACKAGE.iterdir() if p.is_dir() or p.suffix == ".py")
 )
