@@ -32,6 +32,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engine_speeds import speeds_of
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.units.rounded_wholes import DIGITS_PRINTED
 from symbalance.notes.checking.verdicts import DEFINITION, HOLDS, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
@@ -57,8 +58,8 @@ _REACH = 240
 """Characters before a formula in which words count its letter."""
 _NEAR_WORDS = 120
 """Characters before a number in which words name the speed that it is of."""
-_USUAL = tuple(Fraction(text) for text in ("1/2", "2", "60", "1/60", "30", "1/30"))
-"""Factors by which who converts revolutions goes wrong, beside those with π."""
+USUAL_FACTORS = (1 / 2, 2, 60, 1 / 60, 30, 1 / 30, 1 / math.pi, 1 / (2 * math.pi), math.pi, 2 * math.pi)
+"""Factors by which who converts revolutions goes wrong."""
 _NEAR, ROUNDED = 1e-3, 5e-3
 """Parts by which a coefficient, and a printed number, may be off."""
 _AT = re.compile(
@@ -101,7 +102,7 @@ def _of_letter(state: JudgingState, chain: Chain, verdict: Verdict, name: str) -
     text = f"{plain_letter(head.name)} is the angular speed of {plain_letter(name)} revolutions a {time}"
     if ratio is not None and math.isclose(ratio, 1, rel_tol=_NEAR):
         return describe(state.document, chain, 0, Decision(PROVED, assumptions=(text,)))
-    if ratio is None or not any(math.isclose(ratio, f, rel_tol=_NEAR) for f in usual_factors()):
+    if ratio is None or not any(math.isclose(ratio, f, rel_tol=_NEAR) for f in USUAL_FACTORS):
         return verdict
     reason = f"if {text}: that is {formula_text(right, plain=True)}"
     state.definitions.forget(head.name, chain.lines[0])
@@ -126,20 +127,14 @@ def _of_speed_beside(state: JudgingState, chain: Chain) -> Decision | None:
     ratio = float(number) / (math.pi * speed / 30)
     shown = f"{speed} revolutions a minute are {math.pi * speed / 30:.4g} rad/s"
     if math.isclose(ratio, 1, rel_tol=ROUNDED):
-        return Decision(PROVED, shown, order="the digits printed")
-    is_slip = any(math.isclose(ratio, f, rel_tol=ROUNDED) for f in usual_factors())
+        return Decision(PROVED, shown, order=DIGITS_PRINTED)
+    is_slip = any(math.isclose(ratio, f, rel_tol=ROUNDED) for f in USUAL_FACTORS)
     return Decision(REFUTED, shown) if is_slip else None
 
 
 def is_of_another_shaft(words: str) -> bool:
     """Tell whether words name another shaft than the crank, or a multiple of its speed."""
     return _OTHER.search(words) is not None
-
-
-def usual_factors() -> list[float]:
-    """Return the factors by which who converts revolutions goes wrong."""
-    turns = [1 / math.pi, 1 / (2 * math.pi), math.pi, 2 * math.pi]
-    return [float(f) for f in _USUAL] + turns
 
 
 def _of_speed_in_words(state: JudgingState, chain: Chain, verdict: Verdict) -> Verdict:

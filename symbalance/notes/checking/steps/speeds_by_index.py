@@ -15,8 +15,8 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, Decisio
 from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.angular_speeds_by_turns import (
     ROUNDED,
+    USUAL_FACTORS,
     is_of_another_shaft,
-    usual_factors,
 )
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.rounded_wholes import DIGITS_PRINTED
@@ -25,8 +25,9 @@ from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
 _INDEXED = re.compile(r"(?P<stem>omega|Omega|f|n|N)_(?P<index>\w+)")
-_OF_ONE_SPEED = {"omega": ("n", "N", "f"), "Omega": ("n", "N", "f"), "f": ("omega",), "n": ("omega",)}
-_OF_ONE_SPEED["N"] = _OF_ONE_SPEED["n"]
+_OF_ONE_SPEED = dict.fromkeys(("omega", "Omega"), ("n", "N", "f")) | dict.fromkeys(
+    ("f", "n", "N"), ("omega",)
+)
 """The letters that give the same speed in another unit."""
 _BY_MINUTE = re.compile(r"min|r\.?\s?p\.?\s?m", re.IGNORECASE)
 _BY_SECOND = re.compile(r"rad|hz|hertz|(?<![A-Za-z])s(?:ec|econd)?(?![A-Za-z])", re.IGNORECASE)
@@ -54,7 +55,7 @@ def by_speed_of_one_index(state: JudgingState, chain: Chain, k: int, verdict: Ve
         shown = f"{plain_letter(other)} is {there:.4g} rad/s"
         if math.isclose(ratio, 1, rel_tol=ROUNDED):
             return describe(state.document, chain, k, Decision(PROVED, shown, order=DIGITS_PRINTED))
-        if any(math.isclose(ratio, factor, rel_tol=ROUNDED) for factor in usual_factors()):
+        if any(math.isclose(ratio, factor, rel_tol=ROUNDED) for factor in USUAL_FACTORS):
             return describe(state.document, chain, k, Decision(REFUTED, shown))
     return verdict
 

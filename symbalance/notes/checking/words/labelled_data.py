@@ -1,4 +1,4 @@
-"""Data that labels give to several things, and which a result is of: "A: n = 300; B: n = 600" is a list.
+"""Data that labels give to several things, engine A and engine B, and which of them a result is of.
 
 Two labels that give one letter two numbers name two cases: Old and new, before and after, (a) and (b),
 Cylinder 1 and Cylinder 2, steel and aluminium. A result whose words open with such a label, or that has
