@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from symbalance.checking import check as check_text
 from symbalance.notes.checking import check
 
 
@@ -23,6 +24,17 @@ def verdicts_of(folder: Path, text: str, symbols: str = "") -> list[str]:
     if symbols:
         (folder / "page.symbols.toml").write_text(symbols, encoding="utf-8")
     return [verdict.verdict for verdict in check(page).verdicts]
+
+
+def verdicts_in(text: str) -> list[str]:
+    """Return the verdicts on all relations of a page given as text, those that continue one left out."""
+    links = check_text(text + "\n", fixes=False).data()["links"]
+    return [link["verdict"] for link in links if "continues" not in link]
+
+
+def last_in(text: str) -> str:
+    """Return the verdict on the last relation of a page given as text."""
+    return verdicts_in(text)[-1]
 
 
 def in_displays(lines: tuple[str, ...] | list[str]) -> str:

@@ -2,12 +2,7 @@
 
 import pytest
 
-from symbalance.checking import check
-
-
-def last_verdict(page: str) -> str:
-    links = [link for link in check(page, fixes=False).data()["links"] if "continues" not in link]
-    return links[-1]["verdict"]
+from tests.checked_pages import last_in
 
 
 @pytest.mark.parametrize(
@@ -25,8 +20,8 @@ def last_verdict(page: str) -> str:
     ],
 )
 def test_an_angular_speed_by_the_turns_that_words_count(page, right, wrong):
-    assert last_verdict(page.format(right)) in ("holds", "conditional", "holds_to_order")
-    assert last_verdict(page.format(wrong)) == "refuted"
+    assert last_in(page.format(right)) in ("holds", "conditional", "holds_to_order")
+    assert last_in(page.format(wrong)) == "refuted"
 
 
 @pytest.mark.parametrize(
@@ -39,4 +34,4 @@ def test_an_angular_speed_by_the_turns_that_words_count(page, right, wrong):
     ],
 )
 def test_another_shaft_and_another_letter_are_left_alone(page):
-    assert last_verdict(page) != "refuted"
+    assert last_in(page) != "refuted"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from symbalance.checking import check
+from tests.checked_pages import verdicts_in
 
 PAGE = r"""$$T(\theta) = 1800 + 900\sin 2\theta - 480\cos 2\theta$$
 
@@ -12,13 +12,9 @@ $$SINES, \qquad \tan 2\theta = \frac{480}{900} = 0.533$$
 """
 
 
-def verdicts(page: str) -> list[str]:
-    return [link["verdict"] for link in check(page, fixes=False).data()["links"]]
-
-
 def test_a_condition_once_more_is_no_claim():
-    assert verdicts(PAGE.replace("SINES", r"900\sin 2\theta = 480\cos 2\theta"))[3] == "condition"
-    assert verdicts(PAGE.replace("SINES", r"900\sin 2\theta = 440\cos 2\theta"))[3] == "refuted"
+    assert verdicts_in(PAGE.replace("SINES", r"900\sin 2\theta = 480\cos 2\theta"))[3] == "condition"
+    assert verdicts_in(PAGE.replace("SINES", r"900\sin 2\theta = 440\cos 2\theta"))[3] == "refuted"
 
 
 @pytest.mark.parametrize(
@@ -30,4 +26,4 @@ def test_a_condition_once_more_is_no_claim():
     ],
 )
 def test_one_solution_of_two_is_not_the_condition_again(page):
-    assert verdicts(page)[-1] in ("refuted", "contradiction")
+    assert verdicts_in(page)[-1] in ("refuted", "contradiction")

@@ -2,13 +2,9 @@
 
 import pytest
 
-from symbalance.checking import check
+from tests.checked_pages import last_in
 
 FORCE = "The force of a cylinder is $F_1 = m r\\omega^2\\cos\\theta$.\n\n"
-
-
-def last(page: str) -> str:
-    return check(page, fixes=False).data()["links"][-1]["verdict"]
 
 
 @pytest.mark.parametrize(
@@ -21,8 +17,8 @@ def last(page: str) -> str:
     ],
 )
 def test_forces_add_up_over_cranks_that_one_angle_says(heading, right, wrong):
-    assert last(f"{FORCE}## {heading}\n\n$$\\sum F_1 = {right}$$") == "conditional"
-    assert last(f"{FORCE}## {heading}\n\n$$\\sum F_1 = {wrong}$$") == "refuted"
+    assert last_in(f"{FORCE}## {heading}\n\n$$\\sum F_1 = {right}$$") == "conditional"
+    assert last_in(f"{FORCE}## {heading}\n\n$$\\sum F_1 = {wrong}$$") == "refuted"
 
 
 def test_places_of_four_cylinders_are_none_of_six():
@@ -32,6 +28,6 @@ def test_places_of_four_cylinders_are_none_of_six():
         "| $z_k$ | $3a$ | $a$ | $-a$ | $-3a$ |\n\n$$\\sum_k z_k\\cos\\alpha_k = 0$$\n\n"
         "## Six\n\nThe cranks $\\alpha_k$ stand at 0°, 120°, 240°, 240°, 120°, 0°. Then "
     )
-    assert last(page + "$\\sum_k\\cos\\alpha_k = 0$.") == "conditional"
-    assert last(page + "$\\sum_k\\cos 6\\alpha_k = 4$.") == "refuted"
-    assert last(page + "$\\sum_k z_k\\cos\\alpha_k = a$.") == "undecided"
+    assert last_in(page + "$\\sum_k\\cos\\alpha_k = 0$.") == "conditional"
+    assert last_in(page + "$\\sum_k\\cos 6\\alpha_k = 4$.") == "refuted"
+    assert last_in(page + "$\\sum_k z_k\\cos\\alpha_k = a$.") == "undecided"

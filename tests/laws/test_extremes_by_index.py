@@ -2,13 +2,9 @@
 
 import pytest
 
-from symbalance.checking import check
+from tests.checked_pages import last_in
 
 NUMBERS = "$T = T_0 + T_1\\sin\\theta$, $T_0 = 100$ N m, $T_1 = 30$ N m. $T_{{{}}} = {}$ N m."
-
-
-def last(page: str) -> str:
-    return check(page, fixes=False).data()["links"][-1]["verdict"]
 
 
 @pytest.mark.parametrize(
@@ -21,14 +17,14 @@ def last(page: str) -> str:
     ],
 )
 def test_the_extreme_of_one_wave(page, right, wrong):
-    assert last(page.format(right)) in ("holds", "holds_to_order", "conditional")
-    assert last(page.format(wrong)) == "refuted"
+    assert last_in(page.format(right)) in ("holds", "holds_to_order", "conditional")
+    assert last_in(page.format(wrong)) == "refuted"
 
 
 @pytest.mark.parametrize(("kind", "right", "wrong"), [("max", "130", "100"), ("min", "70", "-30")])
 def test_the_extreme_in_numbers(kind, right, wrong):
-    assert last(NUMBERS.format(kind, right)) == "conditional"
-    assert last(NUMBERS.format(kind, wrong)) == "refuted"
+    assert last_in(NUMBERS.format(kind, right)) == "conditional"
+    assert last_in(NUMBERS.format(kind, wrong)) == "refuted"
 
 
 @pytest.mark.parametrize(
@@ -39,4 +35,4 @@ def test_the_extreme_in_numbers(kind, right, wrong):
     ],
 )
 def test_another_largest_value_is_left_alone(page):
-    assert last(page) != "refuted"
+    assert last_in(page) != "refuted"

@@ -2,12 +2,7 @@
 
 import pytest
 
-from symbalance.checking import check
-
-
-def last_verdict(page: str) -> str:
-    return check(page, fixes=False).data()["links"][-1]["verdict"]
-
+from tests.checked_pages import last_in
 
 MOTION = (
     "$$J_1\\ddot\\theta_1 + k(\\theta_1-\\theta_2) = 0$$\n\n"
@@ -30,5 +25,5 @@ MOTION = (
     ],
 )
 def test_an_equation_solved_rightly_and_wrongly(page, right, wrong):
-    assert last_verdict(page.format(right)) in ("holds", "conditional")
-    assert last_verdict(page.format(wrong)) == "refuted"
+    assert last_in(page.format(right)) in ("holds", "conditional")
+    assert last_in(page.format(wrong)) == "refuted"

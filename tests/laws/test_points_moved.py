@@ -2,11 +2,7 @@
 
 import pytest
 
-from symbalance.checking import check
-
-
-def verdicts(page: str) -> list[str]:
-    return [link["verdict"] for link in check(page, fixes=False).data()["links"]]
+from tests.checked_pages import verdicts_in
 
 
 @pytest.mark.parametrize(
@@ -18,13 +14,13 @@ def verdicts(page: str) -> list[str]:
     ],
 )
 def test_a_point_that_has_moved(page, right, wrong):
-    assert verdicts(page.format(right))[-1] in ("holds", "holds_to_order", "conditional")
-    assert verdicts(page.format(wrong))[-1] in ("refuted", "contradiction")
+    assert verdicts_in(page.format(right))[-1] in ("holds", "holds_to_order", "conditional")
+    assert verdicts_in(page.format(wrong))[-1] in ("refuted", "contradiction")
 
 
 def test_what_follows_goes_on_with_the_value_above():
     page = "$m = 2$ kg, $r = 43$ mm.\n\n$r = 43\\times10^{-2}$ m.\n\n$m r = 0.086$ kg m."
-    assert verdicts(page)[-1] in ("holds", "holds_to_order", "conditional")
+    assert verdicts_in(page)[-1] in ("holds", "holds_to_order", "conditional")
 
 
 @pytest.mark.parametrize(
@@ -36,4 +32,4 @@ def test_what_follows_goes_on_with_the_value_above():
     ],
 )
 def test_another_value_is_no_conversion(page):
-    assert verdicts(page)[-1] != "refuted"
+    assert verdicts_in(page)[-1] != "refuted"

@@ -2,13 +2,9 @@
 
 import pytest
 
-from symbalance.checking import check
+from tests.checked_pages import verdicts_in
 
 PROVED = ("holds", "holds_to_order", "conditional")
-
-
-def verdicts(page: str) -> list[str]:
-    return [link["verdict"] for link in check(page, fixes=False).data()["links"]]
 
 
 @pytest.mark.parametrize(
@@ -21,9 +17,9 @@ def verdicts(page: str) -> list[str]:
     ],
 )
 def test_the_last_number_is_the_result(page, right, wrong):
-    assert verdicts(page.format(right))[-1] in PROVED
-    assert not {"refuted", "contradiction"} & {*verdicts(page.format(right))}
-    assert verdicts(page.format(wrong))[-1] in ("refuted", "contradiction", "undecided")
+    assert verdicts_in(page.format(right))[-1] in PROVED
+    assert not {"refuted", "contradiction"} & {*verdicts_in(page.format(right))}
+    assert verdicts_in(page.format(wrong))[-1] in ("refuted", "contradiction", "undecided")
 
 
 @pytest.mark.parametrize(
@@ -41,18 +37,18 @@ def test_the_last_number_is_the_result(page, right, wrong):
     ],
 )
 def test_a_result_may_be_rounded_to_a_whole_number(page, right, wrong):
-    assert verdicts(page.format(right))[-1] in PROVED
-    assert verdicts(page.format(wrong))[-1] in ("refuted", "contradiction", "undecided")
+    assert verdicts_in(page.format(right))[-1] in PROVED
+    assert verdicts_in(page.format(wrong))[-1] in ("refuted", "contradiction", "undecided")
 
 
 @pytest.mark.parametrize(
     "page", ["$x = 3/2$. $x = 2$.", "$100/3 = 33$", "$n = a/b$, $a = 7$, $b = 2$. $n = 4$."]
 )
 def test_a_short_whole_number_is_exact(page):
-    assert verdicts(page)[-1] in ("refuted", "contradiction")
+    assert verdicts_in(page)[-1] in ("refuted", "contradiction")
 
 
 def test_a_number_of_the_letter_i_makes_it_one():
     page = "$J = J_1 + J_2/i^2$ with $J_1 = 0.2$, $J_2 = 0.4$ and $i = 2$: $J = {}$."
-    assert verdicts(page.format("0.3"))[-1] in PROVED
-    assert verdicts(page.format("0.1"))[-1] in ("refuted", "contradiction")
+    assert verdicts_in(page.format("0.3"))[-1] in PROVED
+    assert verdicts_in(page.format("0.1"))[-1] in ("refuted", "contradiction")

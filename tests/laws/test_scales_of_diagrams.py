@@ -2,12 +2,7 @@
 
 import pytest
 
-from symbalance.checking import check
-
-
-def verdicts(page: str) -> list[str]:
-    links = check(page + "\n", fixes=False).data()["links"]
-    return [link["verdict"] for link in links if "continues" not in link]
+from tests.checked_pages import verdicts_in
 
 
 @pytest.mark.parametrize(
@@ -20,9 +15,9 @@ def verdicts(page: str) -> list[str]:
     ],
 )
 def test_a_scale_is_given(scale):
-    assert verdicts(f"The diagram is drawn to the scale {scale}.") == ["premise"]
+    assert verdicts_in(f"The diagram is drawn to the scale {scale}.") == ["premise"]
 
 
 @pytest.mark.parametrize("wrong", ["1 cm = 100 mm", "1 mm = 0.1 m", "50 N m = 50 N"])
 def test_a_conversion_is_judged(wrong):
-    assert verdicts(f"Here {wrong}.") == ["refuted"]
+    assert verdicts_in(f"Here {wrong}.") == ["refuted"]

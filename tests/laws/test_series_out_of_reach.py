@@ -2,13 +2,9 @@
 
 import pytest
 
-from symbalance.checking import check
+from tests.checked_pages import last_in
 
 PROVED = ("holds", "holds_to_order", "conditional")
-
-
-def last_verdict(page: str) -> str:
-    return check(page, fixes=False).data()["links"][-1]["verdict"]
 
 
 GEOMETRIC = "Let $q = {}$. Then $$\\sum_{{k=0}}^{{\\infty}} q^k = \\frac{{1}}{{1-q}}.$$"
@@ -25,10 +21,10 @@ SMALL = (
     [(GEOMETRIC, "0.5", "2"), (LOGARITHM, "0.3", "3"), (SMALL, "8", "80")],
 )
 def test_a_series_holds_only_within_its_reach(page, inside, outside):
-    assert last_verdict(page.format(inside)) in PROVED
-    assert last_verdict(page.format(outside)) == "undecided"
+    assert last_in(page.format(inside)) in PROVED
+    assert last_in(page.format(outside)) == "undecided"
 
 
 @pytest.mark.parametrize("page", [SINE, EXPONENTIAL])
 def test_what_has_a_sum_everywhere_holds_everywhere(page):
-    assert last_verdict(page.format("3")) in PROVED
+    assert last_in(page.format("3")) in PROVED

@@ -2,12 +2,7 @@
 
 import pytest
 
-from symbalance.checking import check
-
-
-def last_verdict(page: str) -> str:
-    links = [link for link in check(page + "\n", fixes=False).data()["links"] if "continues" not in link]
-    return links[-1]["verdict"]
+from tests.checked_pages import last_in
 
 
 @pytest.mark.parametrize(
@@ -32,8 +27,8 @@ def test_a_speed_of_one_subscript_in_another_unit(page, right, wrong):
     def fill(number):
         return page.replace("{}", number)
 
-    assert last_verdict(fill(right)) == "holds_to_order"
-    assert last_verdict(fill(wrong)) == "refuted"
+    assert last_in(fill(right)) == "holds_to_order"
+    assert last_in(fill(wrong)) == "refuted"
 
 
 @pytest.mark.parametrize(
@@ -46,4 +41,4 @@ def test_a_speed_of_one_subscript_in_another_unit(page, right, wrong):
     ],
 )
 def test_another_speed_is_left_alone(page):
-    assert last_verdict(page) != "refuted"
+    assert last_in(page) != "refuted"

@@ -2,17 +2,13 @@
 
 import pytest
 
-from symbalance.checking import check
+from tests.checked_pages import last_in
 
 FORCE = "$F = m r\\omega^2$, $m = 0.5$ kg, $r = 40$ mm, $n = 3000$ rpm. $F = {}$ N."
 MINUTES = (
     "$F = m r\\omega^2$\n\nWith $m = 0.5$ kg, $r = 40$ mm and $n = 3000$ min⁻¹ the force is\n\n"
     "$$F = {}\\,\\mathrm{{N}}$$"
 )
-
-
-def last(page: str) -> str:
-    return check(page, fixes=False).data()["links"][-1]["verdict"]
 
 
 @pytest.mark.parametrize(
@@ -24,11 +20,11 @@ def last(page: str) -> str:
     ],
 )
 def test_omega_is_the_speed_given_in_revolutions(page, right, wrong):
-    assert last(page.format(right)) == "conditional"
-    assert last(page.format(wrong)) == "refuted"
+    assert last_in(page.format(right)) == "conditional"
+    assert last_in(page.format(wrong)) == "refuted"
 
 
 def test_an_omega_with_a_value_of_its_own_is_that():
     page = "$F = m r\\omega^2$. At $\\omega = 300$ rad/s, $m = 0.5$ kg, $r = 40$ mm. $F = {}$ N."
-    assert last(page.format("1800")) == "conditional"
-    assert last(page.format("1974")) == "refuted"
+    assert last_in(page.format("1800")) == "conditional"
+    assert last_in(page.format("1974")) == "refuted"

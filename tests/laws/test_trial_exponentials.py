@@ -2,20 +2,15 @@
 
 import pytest
 
-from symbalance.checking import check
+from tests.checked_pages import last_in
 
 LEAD = "The displacement is $x = 3$ mm at first; $m\\ddot x + c\\dot x + k x = 0$.\n\n"
 
 
-def last_verdict(page: str) -> str:
-    links = check(LEAD + page + "\n", fixes=False).data()["links"]
-    return next(link["verdict"] for link in reversed(links) if "continues" not in link)
-
-
 @pytest.mark.parametrize("page", ["Let us try $x = e^{st}$.", "解を $x = e^{st}$ とおくと"])
 def test_a_trial_is_given(page):
-    assert last_verdict(page) != "refuted"
+    assert last_in(LEAD + page) != "refuted"
 
 
 def test_dimensions_are_judged_where_nothing_is_tried():
-    assert last_verdict("Hence the largest displacement is $x = e^{st}$.") == "refuted"
+    assert last_in(LEAD + "Hence the largest displacement is $x = e^{st}$.") == "refuted"

@@ -4,25 +4,22 @@ from __future__ import annotations
 
 import pytest
 
-from symbalance.notes.checking import check
-
-
-def verdict(tmp_path, text):
-    page = tmp_path / "page.md"
-    page.write_text(text + "\n", encoding="utf-8")
-    return check(page, fixes=False).verdicts[-1].verdict
+from tests.checked_pages import last_verdict
 
 
 @pytest.mark.parametrize("said", ["F(2600) = ½ F(5200)", "F(5200) = 4 F(2600)"])
 def test_values_at_two_numbers_are_open(tmp_path, said):
-    assert verdict(tmp_path, f"The free force grows with the speed: {said}.") not in ("holds", "refuted")
+    assert last_verdict(tmp_path, f"The free force grows with the speed: {said}.") not in (
+        "holds",
+        "refuted",
+    )
 
 
 def test_a_function_of_the_page_is_evaluated(tmp_path):
     page = "Let f(x) = x².\n\nThen f(4) = {} f(2)."
-    assert verdict(tmp_path, page.format("4")) == "holds"
-    assert verdict(tmp_path, page.format("2")) == "refuted"
+    assert last_verdict(tmp_path, page.format("4")) == "holds"
+    assert last_verdict(tmp_path, page.format("2")) == "refuted"
 
 
 def test_a_product_with_one_number_is_a_product(tmp_path):
-    assert verdict(tmp_path, "a(2 + 3) = 5 a.") == "holds"
+    assert last_verdict(tmp_path, "a(2 + 3) = 5 a.") == "holds"

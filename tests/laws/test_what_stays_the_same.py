@@ -2,11 +2,7 @@
 
 import pytest
 
-from symbalance.checking import check
-
-
-def last_verdict(page: str) -> str:
-    return check(page, fixes=False).data()["links"][-1]["verdict"]
+from tests.checked_pages import last_in
 
 
 @pytest.mark.parametrize(
@@ -26,10 +22,10 @@ def last_verdict(page: str) -> str:
     ],
 )
 def test_what_grows_as_what(page, right, wrong):
-    assert last_verdict(page.format(right)) == "holds"
-    assert last_verdict(page.format(wrong)) == "refuted"
+    assert last_in(page.format(right)) == "holds"
+    assert last_in(page.format(wrong)) == "refuted"
 
 
 def test_a_letter_that_may_change_leaves_it_open():
     page = "$E = I w^2 d$. With the same $I$ it falls as $d \\propto 1/w$."
-    assert last_verdict(page) == "premise"
+    assert last_in(page) == "premise"
