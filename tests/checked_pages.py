@@ -27,9 +27,8 @@ def verdicts_of(folder: Path, text: str, symbols: str = "") -> list[str]:
 
 
 def verdicts_in(text: str) -> list[str]:
-    """Return the verdicts on all relations of a page given as text, those that continue one left out."""
-    links = check_text(text + "\n", fixes=False).data()["links"]
-    return [link["verdict"] for link in links if "continues" not in link]
+    """Return the verdicts on all relations of a page given as text."""
+    return [link["verdict"] for link in check_text(text + "\n", fixes=False).data()["links"]]
 
 
 def last_in(text: str) -> str:

@@ -25,9 +25,11 @@ from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
 _INDEXED = re.compile(r"(?P<stem>omega|Omega|f|n|N)_(?P<index>\w+)")
-_OF_ONE_SPEED = dict.fromkeys(("omega", "Omega"), ("n", "N", "f")) | dict.fromkeys(
-    ("f", "n", "N"), ("omega",)
-)
+_TURNING, _COUNTED = ("omega", "Omega"), ("n", "N", "f")
+_OF_ONE_SPEED: dict[str, tuple[str, ...]] = {
+    **dict.fromkeys(_TURNING, _COUNTED),
+    **dict.fromkeys(_COUNTED, ("omega",)),
+}
 """The letters that give the same speed in another unit."""
 _BY_MINUTE = re.compile(r"min|r\.?\s?p\.?\s?m", re.IGNORECASE)
 _BY_SECOND = re.compile(r"rad|hz|hertz|(?<![A-Za-z])s(?:ec|econd)?(?![A-Za-z])", re.IGNORECASE)
