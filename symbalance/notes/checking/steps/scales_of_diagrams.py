@@ -1,7 +1,8 @@
 """Scales of diagrams: 1 mm = 50 N m says how long a torque is drawn, and is no equation of sizes.
 
 One unit of length on paper stands for a quantity of another kind. What it stands for is the page's
-choice; of two lengths or two angles, as in 1 cm = 10 mm, the relation is a conversion and is judged.
+choice, where it speaks of a scale or of a drawing; without such a word, 1 m = 1 s is false. Two lengths, as
+in 1 cm = 10 mm, are a conversion and are judged.
 """
 
 from __future__ import annotations
@@ -16,6 +17,14 @@ from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 _ONE_LENGTH = re.compile(r"\s*(?:\\SI\{)?1(?:[.,]0)?\s*(?:\\,|~|\}?\{)?\s*[\\A-Za-z]")
+_DRAWN = re.compile(
+    r"(?<![^\W\d_])(?:scales?|diagrams?|drawn|drawing|plotted|plots?|polygons?|ordinates?|abscissae?|axis|paper"
+    r"|\w*ma(?:ß|ss)st[aä]be?\w*|\w*diagramm\w*|gezeichnet|aufgetragen|Papier"
+    r"|échelles?|diagrammes?|tracés?|dessin\w*|escalas?|scala)(?![^\W\d_])|尺度|縮尺|目盛|線図|図",
+    re.IGNORECASE,
+)
+_BEHIND = 40
+"""Characters behind a relation in which a scale or a drawing may be named: "represents", "to scale"."""
 _CIRCLE = re.compile(r"\s*\^\s*\{?\s*\\circ\s*\}?")
 _SPACES = re.compile(r"\\[,;:! ]|~")
 
@@ -30,5 +39,9 @@ def unless_scale(state: JudgingState, chain: Chain, k: int, verdict: Verdict) ->
         return verdict
     units = [unit_of(written_unit(_SPACES.sub(" ", source))[1]) for source in sources]
     if units[0] != unit_of("m") or units[1] is None or units[1] == units[0]:
+        return verdict
+    text = state.document.text
+    words = state.sections.sentence_before(chain) + text[chain.end : chain.end + _BEHIND]
+    if not _DRAWN.search(words):
         return verdict
     return describe(state.document, chain, k, Decision(PREMISE, "the scale of a diagram"))
