@@ -1,8 +1,8 @@
 """Scales of diagrams: 1 mm = 50 N m says how long a torque is drawn, and is no equation of sizes.
 
 One unit of length on paper stands for a quantity of another kind. What it stands for is the page's
-choice, where it speaks of a scale or of a drawing; without such a word, 1 m = 1 s is false. Two lengths, as
-in 1 cm = 10 mm, are a conversion and are judged.
+choice, where it speaks of a scale or of a drawing; without such a word, 1 m = 1 s is false. Two lengths,
+as in 1 cm = 10 mm, are a conversion and are judged.
 """
 
 from __future__ import annotations
