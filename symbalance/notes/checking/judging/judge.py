@@ -219,6 +219,7 @@ from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_o
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
 from symbalance.notes.checking.steps.values_at_numbers import unless_at_two_numbers
+from symbalance.notes.checking.steps.values_at_speeds import by_speed_in_brackets
 from symbalance.notes.checking.steps.values_converted import unless_converted_wrongly
 from symbalance.notes.checking.steps.values_for_formulas import (
     leave_value_of_formula,
@@ -336,6 +337,7 @@ _LAST: tuple[_Look, ...] = (
     unless_in_english_units,
     unless_rough_in_rod_angle,
     unless_at_two_numbers,
+    by_speed_in_brackets,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,
