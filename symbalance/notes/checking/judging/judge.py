@@ -218,6 +218,7 @@ from symbalance.notes.checking.steps.trial_exponentials import unless_trial_expo
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
+from symbalance.notes.checking.steps.values_at_multiples import unless_at_multiples
 from symbalance.notes.checking.steps.values_at_numbers import unless_at_two_numbers
 from symbalance.notes.checking.steps.values_at_speeds import by_speed_in_brackets
 from symbalance.notes.checking.steps.values_converted import unless_converted_wrongly
@@ -338,6 +339,7 @@ _LAST: tuple[_Look, ...] = (
     unless_rough_in_rod_angle,
     unless_at_two_numbers,
     by_speed_in_brackets,
+    unless_at_multiples,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,

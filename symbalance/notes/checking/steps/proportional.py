@@ -43,7 +43,7 @@ def decide_proportional(state: JudgingState, chain: Chain, k: int, knowledge: Kn
     head, right = chain.sides[k].node, chain.sides[k + 1].node
     if not decision.is_proved or not isinstance(head, Name):
         return decision
-    bare = _of_any_size(chain.letters | {head.name}, knowledge)
+    bare = of_any_size(chain.letters | {head.name}, knowledge)
     for name in sorted(names(right) - knowledge.angles):
         line = _tied_otherwise(state, chain, (head, right), name, bare)
         if line is not None:
@@ -85,7 +85,7 @@ def decide_by_equation(
     if len(names(right)) != 1:
         return None
     (name,) = names(right)
-    bare = _of_any_size(names(equation[0]) | names(equation[1]) | {head.name}, knowledge)
+    bare = of_any_size(names(equation[0]) | names(equation[1]) | {head.name}, knowledge)
     scaled = Product((Name(_TIMES), Name(name)))
     for claimed in (right, *(_power(name, exponent) for exponent in _POWERS)):
         grown = Product((head, Quotient(substitute(claimed, name, scaled), claimed)))
@@ -138,11 +138,12 @@ def _pairs(left: Formula, right: Formula, knowledge: Knowledge) -> Iterator[tupl
         if names(definition.node) and name not in knowledge.angles
     }
     own = {name: node for name, node in formulas.items() if name not in names(right)}
-    yield _written_out(left, own), right
-    yield _written_out(left, formulas), _written_out(right, formulas)
+    yield written_out(left, own), right
+    yield written_out(left, formulas), written_out(right, formulas)
 
 
-def _written_out(node: Formula, formulas: Mapping[str, Formula]) -> Formula:
+def written_out(node: Formula, formulas: Mapping[str, Formula]) -> Formula:
+    """Return a formula with those of its letters put in, and of theirs."""
     for _ in range(_MOST_STEPS):
         name = next((n for n in sorted(names(node)) if n in formulas), None)
         if name is None:
@@ -153,7 +154,7 @@ def _written_out(node: Formula, formulas: Mapping[str, Formula]) -> Formula:
 
 def _decide_powers(left: Formula, right: Formula, letters: list[str], knowledge: Knowledge) -> Decision:
     """Return the decision by how each side grows with each letter that stands in both."""
-    bare = _of_any_size(names(left) | names(right), knowledge)
+    bare = of_any_size(names(left) | names(right), knowledge)
     for name in letters:
         if not _grows_as(left, right, name, bare).is_proved:
             return _not_so(left, right, name, bare)
@@ -171,7 +172,7 @@ def _not_so(left: Formula, right: Formula, name: str, bare: Knowledge) -> Decisi
     return Decision(REFUTED, f"the left side does not grow as a power of {plain_letter(name)}")
 
 
-def _of_any_size(letters: frozenset[str], knowledge: Knowledge) -> Knowledge:
+def of_any_size(letters: frozenset[str], knowledge: Knowledge) -> Knowledge:
     """Return what is known where letters are sizes without a value: neither numbers nor formulas."""
     sizes = {*letters, _TIMES} - knowledge.angles
     meaning = replace(knowledge.meaning, positive=knowledge.meaning.positive | sizes, values={})
