@@ -63,6 +63,7 @@ from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.carried_values import ONE_IS_WRONG
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles, unless_solved_for_wave
+from symbalance.notes.checking.steps.angle_origins import letters_of_every_angle
 from symbalance.notes.checking.steps.angular_speeds_by_turns import by_turns_counted
 from symbalance.notes.checking.steps.another_angle import leave_angle_above, leave_number_at_angle
 from symbalance.notes.checking.steps.another_body import (
@@ -774,6 +775,7 @@ class Judge:
         self.state.general |= self._ranges_of_all_values(chain) | letters_of_ended(self.state, chain)
         self.state.general |= self._claimed_always(chain, k)
         self.state.general |= letters_supposed(self.state, chain)
+        self.state.general |= letters_of_every_angle(self.state, chain, k)
         if not k and self.state.sections.is_called_identity(chain):
             self.state.general |= chain.letters
         examples = lines_of_numbers(self.state.definitions, self.state.general)
