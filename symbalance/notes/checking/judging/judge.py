@@ -110,6 +110,7 @@ from symbalance.notes.checking.steps.cosines_of_no_angle import unless_of_no_ang
 from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
 from symbalance.notes.checking.steps.derivatives_set_to_zero import leave_extreme
+from symbalance.notes.checking.steps.directions_of_motions import unless_against_direction
 from symbalance.notes.checking.steps.divided_by_zero import unless_divided_by_zero
 from symbalance.notes.checking.steps.ended_cases import (
     leave_ended_cases,
@@ -341,6 +342,7 @@ _LAST: tuple[_Look, ...] = (
     unless_at_two_numbers,
     by_speed_in_brackets,
     unless_at_multiples,
+    unless_against_direction,
     unless_of_bare_numbers,
     unless_by_the_minute,
     unless_of_another_meaning,

@@ -56,7 +56,11 @@ from symbalance.notes.checking.meant.meant_quantities import (
 )
 from symbalance.notes.checking.meant.meant_words import NOBODY, USUAL_END
 from symbalance.notes.checking.meant.order_directions import OrderDirections, Sizes
-from symbalance.notes.checking.meant.signs_in_series import multiple_of_angle, sign_in_series
+from symbalance.notes.checking.meant.signs_in_series import (
+    line_of_acceleration,
+    multiple_of_angle,
+    sign_in_series,
+)
 from symbalance.notes.checking.meant.waves_of_named_orders import (
     WITHOUT_RATIO,
     OrderNamed,
@@ -121,10 +125,15 @@ _IN_A_CASE = re.compile(
 )
 """Words for a case in which an order is another than in general."""
 _FREE = re.compile(
-    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣"
-    r"|\badds?\s+(?:up\s+)?(?:to|into)\b|addieren\s+sich|zusammen\s+ergeben"
+    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣|不つりあい|不つり合い"
+    r"|\b(?:adds?|sums?)\s+(?:up\s+)?(?:to|into)\b|addieren\s+sich|s['’]ajoutent|s['’]additionnent|si\s+sommano|se\s+suman|zusammen\s+ergeben"
     r"|\ball\s+(?:the\s+)?(?:\w+\s+)?cylinders|\balle[rn]?\s+(?:\w+\s+)?zylinder|whole\s+engine"
     r"|ganzen?\s+motors?|全気筒",
+    re.IGNORECASE,
+)
+_ALL_CYLINDERS = re.compile(
+    r"(?:\ball|\bboth|\btwo|\bthree|\bfour|\bsix|\beight|\balle[rn]?|\bbeide[rn]?|\bzwei|\bdrei|\bvier|\bsechs|\bacht)\s+"
+    r"(?:the\s+)?(?:\w+\s+)?(?:cylinders|zylindern?|pistons|kolben)|[二三四六八2-9全両]\s?(?:つの)?(?:気筒|シリンダ)",
     re.IGNORECASE,
 )
 _OF_ONE = re.compile(
@@ -189,6 +198,10 @@ class _Order:
     """Whether words say that it is what the whole engine has left."""
     quote: str = ""
     """The words as the page has them, where it is in another language."""
+    is_of_acceleration: bool = False
+    """Whether the series is r ω² (cos θ + … + A_n cos nθ): its coefficients are divided by nothing."""
+    is_of_several: bool = False
+    """Whether the lines before speak of an engine of several cylinders."""
 
     @property
     def source(self) -> str:
@@ -379,6 +392,7 @@ class NamedOrders:
             is_in_row=bool(header) or is_left,
             is_left=is_left,
             quote=quote,
+            is_of_several=is_of_engine and _names_several(whole + own),
         )
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:
@@ -394,8 +408,16 @@ class NamedOrders:
                     kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(sentence)]
                     kind = kinds[0] if len(kinds) == 1 else ""
                     letters = frozenset(names(side.node))
-                    sign = sign_in_series(self.meant.words.document.chains, name, number)
-                    return _Order(number, kind, sentence, is_coefficient=True, series=letters, sign=sign)
+                    chains = self.meant.words.document.chains
+                    return _Order(
+                        number,
+                        kind,
+                        sentence,
+                        is_coefficient=True,
+                        series=letters,
+                        sign=sign_in_series(chains, name, number),
+                        is_of_acceleration=line_of_acceleration(chains, name, number) > 0,
+                    )
         own = self.meant.words.sentence_before(chain)
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
         if len(kinds) == 1 and re.search(r"coefficient|koeffizient|beiwert|係数", own, re.IGNORECASE):
@@ -460,9 +482,10 @@ class NamedOrders:
         factors: list[tuple[Fraction, tuple[str, ...]]] = []
         if not order.is_of_engine and not order.is_coefficient and _is_of_several(order.words):
             return
-        if not order.is_of_engine or (angles is None and not self._speaks_of_banks):
+        is_unknown = angles is None and not self._speaks_of_banks and not order.is_of_several
+        if not order.is_of_engine or is_unknown:
             factors.append((Fraction(1), ()))
-        if order.is_coefficient:
+        if order.is_coefficient and not order.is_of_acceleration:
             factors += [(Fraction(1, order.number**p), ()) for p in (1, 2)]
         elif angles is not None and angles.is_usual and (total := _whole_sum(angles, order.number)):
             factors.append((Fraction(total), (angles.text,)))
@@ -567,6 +590,12 @@ def _is_of_several(words: str) -> bool:
         engine.cylinders > 1 for engine in EnginesInWords(words).mentions
     )
     return names_engine and _OF_ONE.search(words) is None and _PISTON.search(words) is None
+
+
+def _names_several(words: str) -> bool:
+    """Tell whether words speak of an engine of several cylinders, or of both or all cylinders."""
+    mentions = EnginesInWords(words).mentions
+    return any(engine.cylinders > 1 for engine in mentions) or _ALL_CYLINDERS.search(words) is not None
 
 
 def _divides(node: Formula) -> bool:

@@ -96,6 +96,16 @@ UNIVERSAL = (
 """Roles of letters of all of whose values a relation is claimed."""
 
 
+@dataclass(frozen=True, slots=True)
+class CountedMotion:
+    """A piston's way, velocity or acceleration, and in which direction the page counts it."""
+
+    sign: int
+    """1 where the way is counted from the crank outwards, -1 where it is from top dead centre inwards."""
+    start: int
+    line: int
+
+
 @dataclass
 class JudgingState:
     """A page while its relations are judged in turn: what it declares, and what is defined so far."""
@@ -133,6 +143,9 @@ class JudgingState:
     """What declared letters stand for, by the declarations that hold at a line."""
     solved_angles: dict[int, Decision] = field(default_factory=dict, init=False)
     """Where an angle stands that solves the equation before it, though it had another value above."""
+
+    counted_motions: list[CountedMotion] = field(default_factory=list, init=False)
+    """The piston's motions judged so far, each with the direction in which it counts."""
 
     def __post_init__(self) -> None:
         self.sections = Sections(self.document)

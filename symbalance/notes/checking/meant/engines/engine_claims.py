@@ -84,7 +84,7 @@ _ROTATING = re.compile(
 )
 WHOLE = re.compile(
     r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|残[るっ]|whole|engine'?s\b"
-    r"|add\s+up|altogether"
+    r"|adds?\s+(?:up|to)|sums?\s+(?:up\s+)?to|altogether|addieren\s+sich|s['’]ajoutent|s['’]additionnent|si\s+sommano|se\s+suman|不つり(?:合|あ)い|不釣り?(?:合|あ)?い"
     r"|remain|surviv|\bleft\b|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|výsledn|celkov|całkowit|totaal|totale|together|zusammen"
     r"|insgesamt"
     r"|of\s+the\s+(?:whole\s+)?engine|of\s+the\s+motor|des\s+(?:ganzen\s+)?motors|du\s+moteur"
