@@ -30,8 +30,9 @@ from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 _ROLE = re.compile(
-    r"is the (?:(?P<way>displacement from top dead centre|piston position)|piston(?:'s)? (?P<velocity>velocity)"
-    r"|piston(?:'s)? (?P<acceleration>acceleration)|(?P<force>inertia force)) \("
+    r"is the (?:(?P<way>displacement from top dead centre|piston position)"
+    r"|piston(?:'s)? (?:(?P<velocity>velocity)|(?P<acceleration>acceleration))"
+    r"|(?P<force>inertia force)) \("
 )
 """In an assumption: what a letter is taken to be."""
 _FOLLOWS = re.compile(
