@@ -13,6 +13,13 @@ PAGES = {
         "\\frac12",
     ),
     "ratio": ("$F = m r (2\\pi n)^2$", "F(3n)/F(n) = {}", "9", "3"),
+    "energy": ("$E = \\frac12 J\\omega^2$", "E(2\\omega) = {} E(\\omega)", "4", "2"),
+    "half the energy": (
+        "$E = \\frac12 J\\omega^2$",
+        "E(\\omega/2) = {} E(\\omega)",
+        "\\frac14",
+        "\\frac12",
+    ),
     "root": ("$\\omega_n = \\sqrt{k/m}$", "\\omega_n(4k) = {}\\,\\omega_n(k)", "2", "4"),
     "two formulas": (
         "$\\sigma = \\rho v^2$ with $v = \\pi D n$",

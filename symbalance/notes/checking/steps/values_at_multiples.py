@@ -62,7 +62,7 @@ def unless_at_multiples(state: JudgingState, chain: Chain, k: int, verdict: Verd
     """Return a verdict; one on a quantity at two multiples of a letter, by the formula that it has."""
     typed = state.document.text[chain.sides[k].span[0] : chain.sides[k + 1].span[1]]
     places = _places(state, chain, typed)
-    if not places or any(True for side in chain.sides for _ in parts_of_kind(side.node, Apply)):
+    if not places or _has_own_function(chain):
         return verdict
     ((head, letter),) = {(head, place.letter) for (head, _), place in places.items()}
     knowledge = state.knowledge(chain.lines[0])
@@ -85,6 +85,12 @@ def unless_at_multiples(state: JudgingState, chain: Chain, k: int, verdict: Verd
         return describe(state.document, chain, k, _unknown(head))
     reason = f"by the formula that {plain_letter(head)} has above, all but {plain_letter(letter)} staying"
     return describe(state.document, chain, k, Decision(decision.status, reason))
+
+
+def _has_own_function(chain: Chain) -> bool:
+    """Tell whether a relation has a function of the page's own, f(2x) of f(x) = 3x."""
+    applied = (part for side in chain.sides for part in parts_of_kind(side.node, Apply))
+    return any(part.function != "at" for part in applied)
 
 
 def _places(state: JudgingState, chain: Chain, typed: str) -> dict[tuple[str, str], _Place]:
