@@ -43,6 +43,10 @@ def has_one_digit_wrong(typed: float, exact: float, node: Formula) -> bool:
 
 
 def _digits(node: Formula) -> str:
-    """Return the digits of a printed number."""
+    """Return the digits of a printed number that count: those of 9.0 are two, those of 90 one."""
     number = next((part for part in walk(node) if isinstance(part, Number)), None)
-    return "" if number is None else str(abs(round(number.value / (number.last_place or 1)))).strip("0")
+    if number is None:
+        return ""
+    digits = str(abs(round(number.value / (number.last_place or 1)))).lstrip("0")
+    has_decimals = number.last_place is not None and number.last_place < 1
+    return digits if has_decimals else digits.rstrip("0")

@@ -53,6 +53,15 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 """Words by which a number may be of a part, of several, or of something left."""
+_RESTRICTED = re.compile(
+    r"(?<![^\W\d_])(?:odd|even|(?:un)?gerade[nrsm]?|impairs?|pairs?|dispari|pari|impar(?:es)?|par(?:es)?|for\s+\$?\\?[a-z]\s*(?:[<>≥≤]"
+    r"|\\g|\\l))(?![^\W\d_])|[偶奇]数|[≥>]\s*[1-9]|\\geq?\s*[1-9]",
+    re.IGNORECASE,
+)
+"""Words beside an indexed formula that hold it for some numbers alone: for odd n."""
+_MEASURED = re.compile(r"measur|gemessen|observ|mesur|misurat|medid|実測|測定", re.IGNORECASE)
+_COUNTERS = frozenset("ijknhpqν") | {"nu", "ell"}
+"""Letters of an index that counts."""
 REACH = 120
 """Characters beside a number in which such words are looked for, in its clause."""
 
@@ -63,12 +72,13 @@ def unless_a_formula_gives_it(state: JudgingState, chain: Chain, k: int, verdict
     head = head.argument if isinstance(head, Call) and head.function == "abs" else head
     if k or verdict.verdict not in _OPEN or not isinstance(head, Name) or names(right.node):
         return verdict
-    if chain.relations[0].sign not in "=≈" or not is_lone_number(right.node):
+    if chain.relations[0].sign not in "=≈" or not _is_number(right.node):
         return verdict
     wrong: Decision | None = None
-    for node, knowledge, line in _formulas(state, chain, head):
+    indexed = _at_the_index(state, chain, head)
+    for node, knowledge, line in [*indexed, *_formulas(state, chain, head)]:
         exact, typed = number_of(node, knowledge), number_of(right.node, knowledge)
-        if not exact or not typed:
+        if exact is None or typed is None or not (exact or indexed):
             continue
         size = Number(abs(Fraction(str(float(exact))))) if exact < 0 else node
         shown = f"{formula_text(node, plain=True)}, by line {line}"
@@ -76,12 +86,21 @@ def unless_a_formula_gives_it(state: JudgingState, chain: Chain, k: int, verdict
         if there.is_proved:
             decision = Decision(PROVED, shown, order="the digits printed")
             return describe(state.document, chain, k, decision)
-        if there.status == REFUTED and is_slip(abs(float(typed)), abs(float(exact)), right.node):
+        is_wrong = bool(indexed) and line == indexed[0][2] and _is_of_every_index(state, chain, line)
+        is_wrong |= bool(exact) and is_slip(abs(float(typed)), abs(float(exact)), right.node)
+        if there.status == REFUTED and is_wrong:
             wrong = wrong or Decision(REFUTED, f"{shown} it is {float(abs(exact)):.4g}")
     if wrong is None or _is_of_a_part(state, chain):
         return verdict
     state.definitions.forget(head.name, chain.lines[0])
     return describe(state.document, chain, k, wrong)
+
+
+def _is_number(node: Formula) -> bool:
+    """Tell whether a side is one number with its unit, or a fraction of two whole ones."""
+    if isinstance(node, Quotient):
+        return isinstance(node.numerator, Number) and isinstance(node.denominator, Number)
+    return is_lone_number(node)
 
 
 def _is_of_a_part(state: JudgingState, chain: Chain) -> bool:
@@ -94,20 +113,41 @@ def _is_of_a_part(state: JudgingState, chain: Chain) -> bool:
 
 def _formulas(state: JudgingState, chain: Chain, head: Name) -> Iterator[tuple[Formula, Knowledge, int]]:
     """Yield the formulas that give a letter's number, what is known of their letters, and their lines."""
-    knowledge, sections = state.knowledge(chain.lines[0]), state.sections
+    knowledge = state.knowledge(chain.lines[0])
     base = base_of_largest(head.name) or head.name
     if base != head.name or isinstance(chain.sides[0].node, Call):
         yield from _of_the_wave(state, chain, _of_the_engine(state, chain, base), knowledge)
+    yield from _at_the_speed(state, chain, _of_the_engine(state, chain, head.name), knowledge)
+
+
+def _is_of_every_index(state: JudgingState, chain: Chain, line: int) -> bool:
+    """Tell whether no words restrict an indexed formula, and none say that a number was measured.
+
+    The first of a series, a_0, is often another one than its formula gives.
+    """
+    head = chain.sides[0].node
+    if not isinstance(head, Name) or head.name.endswith("_0"):
+        return False
+    lines = state.sections.lines
+    around = " ".join(lines[max(0, line - 2) : line + 1])
+    behind = state.document.text[chain.end : chain.end + REACH // 4]
+    is_near = state.sections.same_section(line, chain.lines[0])
+    return is_near and not _RESTRICTED.search(around) and not _MEASURED.search(behind)
+
+
+def _at_the_index(state: JudgingState, chain: Chain, head: Name) -> list[tuple[Formula, Knowledge, int]]:
+    """Return the last formula above of a letter with an index, at a number: S_n = 2 + 2 cos nπ, S_4."""
     stem, _, index = head.name.rpartition("_")
+    sections = state.sections
     above = (c for c in reversed(sections.in_order) if c.start < chain.start and c.relations)
     for c in above if index.isdigit() else ():
         letter = c.sides[0].node.name if isinstance(c.sides[0].node, Name) else ""
         counter = letter.removeprefix(f"{stem}_")
-        is_indexed = letter != counter and len(counter) == 1 and counter in names(c.sides[1].node)
+        is_indexed = letter != counter and counter in _COUNTERS and counter in names(c.sides[1].node)
         if is_indexed and not sections.is_of_another_engine(chain, c.lines[0]):
-            yield substitute(c.sides[1].node, counter, Number(Fraction(index))), knowledge, c.lines[0]
-            break
-    yield from _at_the_speed(state, chain, _of_the_engine(state, chain, head.name), knowledge)
+            knowledge, line = state.knowledge(chain.lines[0]), c.lines[0]
+            return [(substitute(c.sides[1].node, counter, Number(Fraction(index))), knowledge, line)]
+    return []
 
 
 def _of_the_engine(state: JudgingState, chain: Chain, name: str) -> list[Chain]:
