@@ -38,7 +38,8 @@ PAGE = r"""Le rayon de manivelle est $r = 42$ mm, la longueur de bielle $l = 147
 $\theta$ l'angle de manivelle et $\omega$ la vitesse angulaire. Pour le piston
 $$ \dot x = -r\omega\left(\sin\theta + \frac{\lambda}{2}\sin 2\theta\right). $$
 La variation d'énergie cinétique entre les deux vitesses extrêmes est
-$$ E = \int_0^{\pi/2} 350\sin 2\theta\,d\theta = 350\left[-\frac{\cos 2\theta}{2}\right]_0^{\pi/2} = VALUE. $$
+$$ E = \int_0^{\pi/2} 350\sin 2\theta\,d\theta
+= 350\left[-\frac{\cos 2\theta}{2}\right]_0^{\pi/2} = VALUE. $$
 """
 
 

@@ -84,7 +84,7 @@ def parents_of(node: Formula) -> dict[int, Formula]:
 def parts(node: Formula, role: str = "side") -> Iterator[tuple[Formula, str]]:
     """Yield every part with its role: side, term, factor, exponent, argument or operand.
 
-    The letter that an integral, a derivative or a sum runs over is none: ∫ f dθ² and ∑ over 2 are no slips.
+    The letter that an integral, a derivative or a sum runs over is none: ∫ f dθ² is no slip.
     """
     yield node, role
     running = _running_letter(node)
