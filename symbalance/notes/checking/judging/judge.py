@@ -124,6 +124,7 @@ from symbalance.notes.checking.steps.extremal_values import unless_no_extreme
 from symbalance.notes.checking.steps.extremes_by_index import unless_other_extreme
 from symbalance.notes.checking.steps.extremes_in_numbers import unless_no_such_value
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
+from symbalance.notes.checking.steps.fluctuations_by_tolerance import unless_half_fluctuation
 from symbalance.notes.checking.steps.forced_motions import unless_no_forced_motion
 from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
@@ -147,7 +148,9 @@ from symbalance.notes.checking.steps.letters_said_anew import (
     leave_letter_said_anew,
 )
 from symbalance.notes.checking.steps.letters_said_to_vary import unless_said_to_vary
+from symbalance.notes.checking.steps.letters_set_in_motion import leave_letters_at_rest
 from symbalance.notes.checking.steps.listed_roots import unless_wrong_in_list
+from symbalance.notes.checking.steps.means_of_extremes import unless_mean_of_extremes
 from symbalance.notes.checking.steps.named_case_again import return_to_case
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
@@ -180,6 +183,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
 )
+from symbalance.notes.checking.steps.ratios_given_anew import leave_letters_of_ratio
 from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.rearranged_line_before import by_line_before
 from symbalance.notes.checking.steps.repeated_formulas import unless_repeated
@@ -212,12 +216,15 @@ from symbalance.notes.checking.steps.speeds_by_two_clocks import unless_by_the_m
 from symbalance.notes.checking.steps.speeds_for_omega import with_omega_of_speed
 from symbalance.notes.checking.steps.speeds_in_words import at_speed_in_words
 from symbalance.notes.checking.steps.sums_of_phases import unless_phases_remain
+from symbalance.notes.checking.steps.sums_of_results import unless_sum_of_results
 from symbalance.notes.checking.steps.supposed_in_prose import unless_supposed_otherwise
 from symbalance.notes.checking.steps.supposed_numbers import SupposedNumbers
 from symbalance.notes.checking.steps.systems_of_formulas import unless_of_a_system
 from symbalance.notes.checking.steps.temperatures_in_degrees import unless_in_degrees
 from symbalance.notes.checking.steps.trial_exponentials import unless_trial_exponential
 from symbalance.notes.checking.steps.truncated_as_named import unless_of_lower_order
+from symbalance.notes.checking.steps.turns_upside_down import unless_turns_upside_down
+from symbalance.notes.checking.steps.units_in_brackets import unless_units_in_brackets
 from symbalance.notes.checking.steps.units_of_roots import decide_root_with_unit
 from symbalance.notes.checking.steps.units_said_once import unless_units_said_once
 from symbalance.notes.checking.steps.values_at_multiples import unless_at_multiples
@@ -353,6 +360,11 @@ _LAST: tuple[_Look, ...] = (
     unless_supposed_otherwise,
     unless_perpendicular,
     unless_neither_sign,
+    unless_half_fluctuation,
+    unless_turns_upside_down,
+    unless_units_in_brackets,
+    unless_sum_of_results,
+    unless_mean_of_extremes,
 )
 """What does so once a relation has been read in its case and its row."""
 
@@ -587,6 +599,8 @@ class Judge:
         """Return the verdict on a relation of which no words say that something else is scaled."""
         leave_product_given_anew(self.state, chain, k)
         leave_letter_said_anew(self.state, chain, k)
+        leave_letters_of_ratio(self.state, chain, k)
+        leave_letters_at_rest(self.state, chain, k)
         verdict = with_size_said(self.state, chain, k, self._link_by_cases(chain, k, sound, bad))
         again = partial(self._link_in_scope, chain, k, k, bad=False)
         verdict = by_own_numbers(self.state, chain, k, verdict, again)

@@ -45,6 +45,12 @@ _WORDED = re.compile(
     re.IGNORECASE,
 )
 """N is the speed of the crankshaft in rpm; V la cylindrée totale en litres."""
+_BRACKETED = re.compile(
+    rf"{LETTER_SIGN}(?:\s|\\[,;: ])*\[\s*"
+    r"(?P<unit>(?:\\(?:mathrm|text|unit|si)\s*\{)?[A-Za-z1µ°][A-Za-z0-9µ/²³⁴⁻¹^·.°{} -]{0,20})\]"
+)
+"""P\\,[\\mathrm{kW}], n [min^{-1}]: the unit behind a letter in square brackets, as TeX has it."""
+_FONT = re.compile(r"\\(?:mathrm|text|unit|si)\s*\{|[{}]")
 _OF_HEAD = re.compile(
     rf"(?:\b(?:in|en)\s+|\[|\()(?={UNIT_SIGNS})[^$=\n,;:]{{1,30}}?"
     r"(?:\s+(?:is|are|then|therefore|equals|becomes|est|vaut|alors|donc|ist|sind|beträgt|dann|wird|lautet"
@@ -88,9 +94,13 @@ class LetterUnits:
         for pattern in (SAID, LISTED, _WORDED):
             for match in pattern.finditer(self.text):
                 start = match.start("letter")
-                unit = _unit(match["unit"], start)
+                unit = unit_written(match["unit"], start)
                 if unit is not None:
                     found.append((match["letter"].lstrip("\\").replace("{", "").replace("}", ""), unit))
+        for match in _BRACKETED.finditer(self.text):
+            unit = unit_in_brackets(match["unit"], match.start("letter"))
+            if unit is not None:
+                found.append((match["letter"].lstrip("\\").replace("{", "").replace("}", ""), unit))
         return found
 
     def of(self, name: str, chain: Chain) -> StatedUnit | None:
@@ -113,10 +123,12 @@ class LetterUnits:
         before = self.text[max(0, chain.start - _HEAD) : chain.start].rstrip(" \t\n$\\[({&")
         match = next(iter(_OF_HEAD.finditer(before)), None)
         if match is not None and not _LETTER_BEFORE.search(before[: match.start()]):
-            return _unit(match["unit"], chain.start)  # and of the speed n in rpm it is not what is behind
+            return unit_written(
+                match["unit"], chain.start
+            )  # and of the speed n in rpm it is not what is behind
         sentence = SENTENCE_END.split(self.text[max(0, chain.start - _BEFORE) : chain.start])[-1]
         subject = next(iter(_OF_SUBJECT.finditer(sentence)), None)
-        return None if subject is None else _unit(subject["unit"], chain.start)
+        return None if subject is None else unit_written(subject["unit"], chain.start)
 
     def _is_apart(self, place: int, chain: Chain) -> bool:
         """Tell whether a paragraph with other words stands between a place and a relation."""
@@ -210,7 +222,16 @@ def _is_rate(name: str, unit: StatedUnit) -> bool:
     return unit.dimension == _A_SECOND and not is_angular and unit.scale in (1, _MINUTE)
 
 
-def _unit(text: str, place: int) -> StatedUnit | None:
+def unit_in_brackets(text: str, place: int) -> StatedUnit | None:
+    """Return the unit that a text in square brackets is, its TeX fonts and braces left out.
+
+    >>> unit_in_brackets(r"\\mathrm{min^{-1}}", 0).scale
+    Fraction(1, 60)
+    """
+    return unit_written(_FONT.sub("", text).strip(), place)
+
+
+def unit_written(text: str, place: int) -> StatedUnit | None:
     """Return the unit that a text begins with."""
     dimension = _A_SECOND
     for pattern, scale in ((_BY_MINUTE, _MINUTE), (_BY_SECOND, Fraction(1))):

@@ -122,11 +122,12 @@ _SETTING = re.compile(
     r"|mittlere[rnms]? drehzahl|平均(?:ピストン|角)?(?:速度|スピード)|平均回転(?:数|速度)"
     r"|mittlere[rnms]? (?:\w+ )?(?:arbeits|nutz|innen|kolben)?druck|(?:正味|図示)?平均有効圧力?"
     r"|pression (?:effective )?moyenne(?: effective)?"
-    r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|umdrehungen|drehzahlen|point masses"
+    r"|\b(?:two|both|zwei|beiden?) (?:revolutions|turns|speeds|strokes|umdrehungen|drehzahlen|hübe"
+    r"|point masses"
     r"|dead cent\w+|totpunkt\w*)",
     re.IGNORECASE,
 )
-"""Words that make nothing a part: a shaft on two bearings, a mean effective pressure."""
+"""Words that make nothing a part: a shaft on two bearings, two strokes a turn, a mean pressure."""
 _FROM_ELSEWHERE = re.compile(
     r"\b(?:from|von|vom|ab|gegen|against|aus)\b[^.\n]{0,30}?(?:bottom|outer dead|lower dead|\bBDC\b"
     r"|vertical|horizontal"

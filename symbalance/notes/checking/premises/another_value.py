@@ -289,11 +289,20 @@ _CONCLUDES = re.compile(
 
 
 def _each_opens_its_case(definitions: Definitions, name: str, value: Formula, chain: Chain) -> bool:
-    """Tell whether each of two formulas is a case itself: for M = a sin² φ, and for M = a cos² φ."""
+    """Tell whether each of two formulas is a case itself: for M = a sin² φ, and for M = a cos² φ.
+
+    So is each of two numbers, however near they are: at ρ = 0.9, and then at ρ = 1.
+    """
     text = definitions.sections.document.text
     before = definitions.sections.last_above(Name(name), chain.start)
-    if before is None or not names(value) or not names(before.sides[1].node):
+    if before is None or bool(names(value)) != bool(names(before.sides[1].node)):
         return False
+    if not names(value):
+        is_apart = _SENTENCE_BETWEEN.search(text, before.end, chain.start) is not None
+        return is_apart and all(
+            c.inline and sets_number(c) and _AT_NUMBER.search(text, max(0, c.start - _REACH), c.start)
+            for c in (before, chain)
+        )
     return all(
         len(c.relations) == 1 and _CASE_ITSELF.search(text, max(0, c.start - _REACH), c.start)
         for c in (before, chain)
@@ -304,6 +313,10 @@ _REACH = 20
 _MARK = re.compile(r"(?:^|\n)[ \t]*\(?[a-z0-9]{1,2}[.)][\s$]*$")
 """The mark of an item that begins with a formula: (a)."""
 _ARITHMETIC = re.compile(r"\\(?:cdot|times|[dt]?frac|pi)(?![a-z])|[*×·+π]")
+_SENTENCE_BETWEEN = re.compile(r"[.;!?]\s|[。；]")
+_AT_NUMBER = re.compile(
+    r"(?<![^\W\d_])(?:for|at|für|bei|pour|à|per|para|voor|bij)[\s$(\\]*$", re.IGNORECASE
+)
 _CASE_ITSELF = re.compile(r"(?<![^\W\d_])(?:for|if|für|bei|wenn|pour|si|per|para)[\s$(]*$", re.IGNORECASE)
 
 

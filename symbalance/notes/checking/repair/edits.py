@@ -17,7 +17,12 @@ from symbalance.document.formula import (
     Call,
     Constant,
     Derivative,
+    Evaluation,
+    Extremum,
     Formula,
+    IndexedProduct,
+    Integral,
+    Limit,
     Name,
     Negative,
     Number,
@@ -25,6 +30,7 @@ from symbalance.document.formula import (
     Product,
     Quotient,
     Sum,
+    Summation,
 )
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
@@ -76,12 +82,25 @@ def parents_of(node: Formula) -> dict[int, Formula]:
 
 
 def parts(node: Formula, role: str = "side") -> Iterator[tuple[Formula, str]]:
-    """Yield every part with its role: side, term, factor, exponent, argument or operand."""
+    """Yield every part with its role: side, term, factor, exponent, argument or operand.
+
+    The letter that an integral, a derivative or a sum runs over is none: ∫ f dθ² is no slip.
+    """
     yield node, role
+    running = _running_letter(node)
     for part in formula.children(node):
-        if isinstance(part, formula.Dots):
+        if isinstance(part, formula.Dots) or part is running:
             continue
         yield from parts(part, _role(node, part, role))
+
+
+def _running_letter(node: Formula) -> Formula | None:
+    match node:
+        case Derivative() | Integral() | Evaluation() | Limit() | Extremum():
+            return node.variable
+        case Summation() | IndexedProduct():
+            return node.index
+    return None
 
 
 def _role(node: Formula, part: Formula, role: str) -> str:

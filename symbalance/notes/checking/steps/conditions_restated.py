@@ -40,6 +40,12 @@ _RESTATES = re.compile(
     re.IGNORECASE,
 )
 """Words between two equations by which the second is the first one again."""
+_WHERE = re.compile(
+    r"[\s$),\]\\]*(?:(?:precisely|exactly|only|just|genau\s+dort|dort|là|allí)\s+)?"
+    r"(?:where(?:ver)?|wherever|when(?:ever)?|wo|où|lorsque|quand|dove|quando|donde|cuando)(?![^\W\d_])[\s$(\[\\]*",
+    re.IGNORECASE,
+)
+"""Words between an equation and the one that says at which angles it is true: T = T_m where …"""
 
 
 def unless_condition_again(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
@@ -53,6 +59,8 @@ def unless_condition_again(state: JudgingState, chain: Chain, k: int, verdict: V
         )
     if k or verdict.verdict not in (REFUTED, CONTRADICTION) or chain.relations[0].sign != "=":
         return verdict
+    if (there := _where_behind(state, chain)) is not None:
+        return describe(state.document, chain, k, there)
     before = state.sections.chain_before(chain.start)
     if (
         before is None
@@ -64,6 +72,28 @@ def unless_condition_again(state: JudgingState, chain: Chain, k: int, verdict: V
         return verdict
     solved = _solved(state, before, chain) or _as_condition(state, before, chain)
     return verdict if solved is None else describe(state.document, chain, k, solved)
+
+
+def _where_behind(state: JudgingState, chain: Chain) -> Decision | None:
+    """Return that an equation is true where the one right behind it says, with its letters put in.
+
+    T = T_m where 8000 sin 2θ = 6000 cos 2θ: the difference of its sides is that of the other's, or minus
+    that. Else None: with another sign in one of them nothing says where it would be true.
+    """
+    behind = next(state.sections.chains_behind(chain.end - 1), None)
+    if behind is None or len(chain.relations) != 1 or not behind.relations:
+        return None
+    if behind.relations[0].sign != "=" or not all(names(side.node) for side in behind.sides[:2]):
+        return None
+    if _WHERE.fullmatch(state.document.text[chain.end : behind.start]) is None:
+        return None
+    first, second = (Sum((c.sides[0].node, Negative(c.sides[1].node))) for c in (chain, behind))
+    knowledge = state.knowledge(chain.lines[0])
+    is_same = any(
+        decide(lone_side(first), lone_side(side), "=", knowledge).is_proved
+        for side in (second, Negative(second))
+    )
+    return Decision(CONDITION, f"where that of line {behind.lines[0]} is true") if is_same else None
 
 
 def _as_condition(state: JudgingState, before: Chain, chain: Chain) -> Decision | None:

@@ -112,7 +112,7 @@ class StatedUnits:
         head, right = chain.sides[0].node, chain.sides[1].node
         own = names(right)
         is_formula = not k and own and len(chain.relations) == 1
-        powers = _powers(right) if is_formula else None
+        powers = powers_of(right) if is_formula else None
         if powers is None or not isinstance(head, Name) or head.name in own:
             return None
         factor, letters = powers
@@ -122,7 +122,7 @@ class StatedUnits:
         given = [unit for unit in units.values() if unit is not None]
         if not given or self._puts_numbers_in(chain) or not factor:
             return None
-        scale = _scale_of(head.name, letters, units)
+        scale = scale_between(head.name, letters, units)
         if scale is None or isclose(scale, 1, rel_tol=1e-9) or _is_pure(factor / scale):
             return None
         first = self._start_of_paragraph(chain)
@@ -136,7 +136,7 @@ class StatedUnits:
             is_sure = is_whole and is_near
             return Decision(REFUTED if is_sure else UNDECIDED, f"{reason}; nothing converts them")
         ratio = factor / scale
-        is_slip = any(s != 1 and _is_near(ratio * s, each) for s in _SLIPS for each in _USUAL)
+        is_slip = any(s != 1 and are_near(ratio * s, each) for s in _SLIPS for each in _USUAL)
         is_wrong = is_whole and is_slip and _has_whole_constants(right)
         return Decision(REFUTED, f"{reason}; its constant does not convert them") if is_wrong else None
 
@@ -200,7 +200,7 @@ _NO_UNITS = frozenset(
 )
 
 
-def _scale_of(
+def scale_between(
     head: str, letters: dict[str, Fraction], units: dict[str, StatedUnit | None]
 ) -> float | None:
     """Return by how much a formula between quantities changes when its letters are numbers of units.
@@ -220,7 +220,7 @@ def _scale_of(
     return None if is_whole and any(total) else scale
 
 
-def _powers(node: Formula) -> tuple[float, dict[str, Fraction]] | None:
+def powers_of(node: Formula) -> tuple[float, dict[str, Fraction]] | None:
     """Return the factor of a product of powers of letters, and these; None for sums and functions."""
     factor, letters = 1.0, dict[str, Fraction]()
     parts: list[tuple[Formula, Fraction]] = [(node, Fraction(1))]
@@ -260,8 +260,9 @@ def _has_whole_constants(node: Formula) -> bool:
 
 
 def _is_pure(factor: float) -> bool:
-    return any(_is_near(factor, one) for one in _PURE)
+    return any(are_near(factor, one) for one in _PURE)
 
 
-def _is_near(value: float, one: float) -> bool:
+def are_near(value: float, one: float) -> bool:
+    """Tell whether two constants are the same, as printed."""
     return abs(value / one - 1) < _ROUGH

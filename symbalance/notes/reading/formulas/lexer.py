@@ -90,6 +90,13 @@ _ARGUMENT_BEHIND = re.compile(r"\s*(?:\(|\\left\(|(?:\\[,;: ]|~|\s)+[0-9A-Za-z\\
 """What a function is taken of: \\mathrm{arctg}\\, 1 is no product of five letters."""
 _OWN_FUNCTION = re.compile(r"(Re|Im|conj|lg)(?=\s*(?:[({]|\\left))|lg(?=\s+[0-9A-Za-z\\])")
 _WORD_FONTS = ("text", "textrm", "mbox")
+_UNIT_OF_LETTER = re.compile(
+    r"(?<=[A-Za-zΑ-ω}_0-9])\s?(?:\\[,;: ])?\[\s*(?:\\mathrm\s*\{|\\text\s*\{)?"
+    r"([A-Za-zµμ/^0-9·⁻¹² .{}-]{1,20}?)\}?\s*\]"
+)
+"""A letter with the unit in which it is counted in square brackets: P[kW], n [rpm]."""
+_NEAR_UNIT = 160
+"""Characters of a formula beside a letter in which the units of others stand."""
 _UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
 
 
@@ -825,11 +832,30 @@ class Lexer:
             number = self.is_behind_number() or self._is_behind_power()
         else:
             unit_span = bracketed_unit_at(self.text, self.place, self.end)
+            if unit_span and self._is_counted_in(*unit_span):
+                self.tokens[-1] = replace(self.tokens[-1], end=unit_span[1])
+                self.place = unit_span[1]
+                return True
         scale = scale_of(unit_span[0]) if unit_span else None
         if not unit_span or not scale or not (number or self._is_last(unit_span[1])):
             return False
         self.add_factor(unit_span[0], scale, unit_span[1])
         return True
+
+    def _is_counted_in(self, unit: str, stop: int) -> bool:
+        """Tell whether a unit in brackets says in what its letter is counted: P[kW] = T[Nm] n[rpm]/9549.
+
+        The formula is then one between numbers, and no unit multiplies anything. One letter in brackets,
+        x[m], is a unit only beside another one that is told from letters.
+        """
+        if not self.tokens or self.tokens[-1].kind != "name":
+            return False
+        last = min(self.end, stop + _NEAR_UNIT)
+        others = (self.text[max(0, self.place - _NEAR_UNIT) : self.place], self.text[stop:last])
+        others = (others[0].rpartition("\n\n")[2], others[1].partition("\n\n")[0])
+        beside = [match for part in others for match in _UNIT_OF_LETTER.finditer(part)]
+        is_beside = any(scale_of(match[1]) is not None for match in beside)
+        return is_beside and (len(unit) > 1 or any(len(match[1]) > 1 for match in beside))
 
     def _is_last(self, stop: int) -> bool:
         """Tell whether a side ends at a place."""

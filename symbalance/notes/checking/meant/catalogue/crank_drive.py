@@ -85,6 +85,12 @@ _TILTS = (
 )  # fmt: skip
 
 
+_STROKES_IN_A_TIME = (
+    r"(?:strokes?|hübe)\s?(?:per|each|every|an?|in\s+(?:one|a|der)|je|pro|/)\s?(?:minute|sekunde|second|min\b|s\b)"
+    r"|(?:number|anzahl|zahl)\s+(?:of|der)\s+(?:strokes|hübe)|hubzahl|hubfrequenz"
+)
+"""Words by which n counts strokes; that the piston makes two of them a turn says nothing of n."""
+
 CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
         "mean piston speed", letters("v c V u C S"),
@@ -94,7 +100,8 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
                r"平均ピストン(?:速度|スピード)", r"ピストン(?:の)?平均速度"),
         (2 * stroke * rotation, stroke * rotation / 30, 4 * crank * rotation, crank * rotation / 15,
          stroke * omega / PI, 2 * crank * omega / PI),
-        unless=words(r"strokes? per|hübe|doppelh|mean square|quadrat|crank ?pin|rim|umfang|circumf"
+        never=words(_STROKES_IN_A_TIME),
+        unless=words(r"doppelh|mean square|quadrat|crank ?pin|rim|umfang|circumf"
         r"|周速|\bgas|luft"
                       r"|half[- ]stroke"),
         only=words(r"piston|kolben|ピストン"),

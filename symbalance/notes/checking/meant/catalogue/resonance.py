@@ -55,7 +55,36 @@ _RELATIVE = tuning**2 / (1 - tuning**2)
 _LEVER = unbalanced * eccentricity / mass
 _TOP = root(1 - 2 * damping_ratio**2)
 
+_MAGNIFIER = words(
+    r"(?:(?:dynamic\s+)?magnifi(?:er|cation)(?:\s+(?:factor|function))?"
+    r"|(?:dynamic\s+|resonan\w+\s+)?amplification(?:\s+(?:factor|dynami\w+))?"
+    r"|quality\s+factor|Q[- ]factor"
+    r"|vergrößerungs(?:funktion|faktor)|(?:resonanz)?überhöhung(?:sfaktor)?|\bgüte(?:faktor)?\b"
+    r"|facteur\s+(?:de\s+qualité|d.amplification)"
+    r"|fattore\s+(?:di\s+(?:qualità|merito)|d.amplificazione)"
+    r"|factor\s+de\s+(?:calidad|amplificación)|(?:振幅|動的|応答)倍率|[QＱ]値)"
+    r"(?:\s+(?:at|in|bei|à|alla|en|of)\s+(?:the\s+|der\s+|la\s+)?r[eé]?i?son\w+)?",
+)
+_AT_RESONANCE = words(
+    r"\b(?:at|in|of)\s+(?:the\s+)?resonan\w+", r"\b(?:bei|in|im)\s+(?:der\s+)?resonanz",
+    r"resonanzüberhöhung",
+    r"à\s+la\s+résonance", r"(?:alla|in)\s+risonanza", r"en\s+(?:la\s+)?resonancia",
+    r"共振(?:時|点|で|における)",
+    r"\b(?:at|for|bei|für|à|pour|per|para)\s[$\s]{0,3}(?:\\?(?:rho|eta|beta|nu)|r|ρ|η|β)"
+    r"\s?=\s?1(?![0-9.,]*[0-9])",
+)  # fmt: skip
+
 RESONANCE: tuple[Quantity, ...] = (
+    Quantity(
+        "magnification at resonance", letters("Q V M alpha mu beta R A"), _MAGNIFIER,
+        (1 / (2 * damping_ratio), 1 / (2 * damping_ratio * root(1 - damping_ratio**2))),
+        ("edit", "bare factor"),
+        mistakes=(1 / damping_ratio, 2 * damping_ratio, 1 / (4 * damping_ratio),
+                  1 / (2 * damping_ratio**2), 1 / damping_ratio**2, damping_ratio / 2),
+        only=_AT_RESONANCE,
+        unless=words(r"\bbase\b|fußpunkt|hysteretic|loss\s+factor|verlustfaktor|absorber|tilger"
+                     r"|transmiss|half[- ]power|velocity|geschwindigkeit|unbalance|unwucht|不釣"),
+    ),
     Quantity(
         "isolation of a mount", letters("i I eta epsilon s R"),
         words(r"isol(?:ation|ier\w*)(?:\s*(?:degree|efficiency|grad|wirkungsgrad))?", r"kept\s+away",

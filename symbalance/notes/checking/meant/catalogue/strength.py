@@ -94,6 +94,15 @@ _POLAR_MOMENT = words(
     r"極断面二次モーメント",
     r"断面極二次モーメント",
 )
+_POLAR_AREA_MOMENT = words(
+    r"polar\s+second\s+moment(?:\s+of\s+(?:area|the\s+section))?",
+    r"polar\s+(?:area\s+moment(?:\s+of\s+inertia)?|moment\s+of\s+area)",
+    r"polares?n?\s+flächen(?:trägheits)?moment",
+    r"断面二次極モーメント",
+    r"極断面二次モーメント",
+    r"断面極二次モーメント",
+)
+"""Polar moments that are of an area by their name: no mass has one."""
 _AREA_MOMENT = words(
     r"second\s+moment\s+of\s+area",
     r"area\s+moment(?:\s+of\s+inertia)?",
@@ -251,6 +260,10 @@ STRENGTH: tuple[Quantity, ...] = (
         _SECTION_POLAR, context=words(r"torsion|twist|verdreh|drehschwing|ねじり"),
         unless=words(HOLLOW, _NOTCH, r"\bmass\b|massenträg|flywheel"
         r"|schwungrad"), indices=letters("p t P T pol"),
+    ),
+    Quantity(
+        "polar second moment of area of a round section", letters("J I"),
+        _POLAR_AREA_MOMENT, _SECTION_POLAR, unless=words(HOLLOW, _NOTCH),
     ),
     Quantity(
         "axial second moment of area of a round section", letters("I J"),
@@ -528,7 +541,7 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "stiffness of springs in series", letters("c k C K"),
-        words(_BENDING_RATE.pattern, _SERIES.pattern),
+        words(_TORSIONAL_RATE.pattern, _BENDING_RATE.pattern, _SERIES.pattern),
         (first_rate * second_rate / (first_rate + second_rate), 1 / (1 / first_rate + 1 / second_rate)),
         ("bare factor", "edit"),
         mistakes=(first_rate + second_rate, 1 / first_rate + 1 / second_rate,
@@ -537,7 +550,7 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "stiffness of springs in parallel", letters("c k C K"),
-        words(_BENDING_RATE.pattern, _PARALLEL.pattern),
+        words(_TORSIONAL_RATE.pattern, _BENDING_RATE.pattern, _PARALLEL.pattern),
         (first_rate + second_rate,), ("bare factor",),
         mistakes=(first_rate * second_rate / (first_rate + second_rate), first_rate - second_rate,
                   1 / (1 / first_rate + 1 / second_rate)),
