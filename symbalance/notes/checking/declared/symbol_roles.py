@@ -63,7 +63,8 @@ KNOWN = (
     "variable",
 )
 
-MOVING = (FROM_TOP, FROM_PIN, FROM_MIDDLE, "piston velocity", "piston acceleration", "inertia force")
+FORCE = "inertia force"
+MOVING = (FROM_TOP, FROM_PIN, FROM_MIDDLE, "piston velocity", "piston acceleration", FORCE)
 POSITIVE = {
     *("crank radius", "stroke", "rod length", "rod ratio l/r", "rod ratio l/s", "crank ratio r/l"),
     *("angular speed", "engine speed rpm", "reciprocating mass", "cylinder pitch", "positive"),

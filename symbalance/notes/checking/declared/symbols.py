@@ -27,6 +27,7 @@ from symbalance.notes.checking.declared.motion_directions import directed
 from symbalance.notes.checking.declared.symbol_roles import (
     CONSTANT,
     CONSTANT_WORD,
+    FORCE,
     FROM_MIDDLE,
     FROM_PIN,
     FROM_TOP,
@@ -74,7 +75,7 @@ def meaning_of(
         FROM_MIDDLE: Sum((crank.position, formula.Negative(crank.length))),
         "piston velocity": crank.velocity,
         "piston acceleration": crank.acceleration,
-        "inertia force": crank.force,
+        FORCE: crank.force,
     }
     base = {n for part in (crank.radius, crank.length, crank.omega) for n in formula.names(part)}
     values: dict[str, Formula] = {
@@ -84,7 +85,7 @@ def meaning_of(
         for name in letters.get(meaning, []):
             if name not in base:
                 values[name] = directed(symbols[name], node)
-    for name in [n for m in MOVING for n in letters.get(m, ())]:
+    for name in [n for m in MOVING if m != FORCE for n in letters.get(m, ())]:
         for order in (1, 2):
             derivative = name + "'" * order
             if derivative not in symbols and isinstance(crank.theta, Name):
@@ -129,7 +130,9 @@ def motions_of(symbols: Mapping[str, str]) -> Motions:
     crank = geometry(symbols, "")
     arguments = {n for m in ("crank angle", "time") for n in letters.get(m, ())} | {crank.time}
     arguments |= formula.names(crank.theta) if isinstance(crank.theta, Name) else set()
-    return Motions(frozenset(n + "'" * k for n in moving for k in range(3)), frozenset(arguments))
+    forces = {*letters.get(FORCE, ())}  # F' is another force, and no rate
+    primed = {n + "'" * k for n in moving for k in range(1 if n in forces else 3)}
+    return Motions(frozenset(primed), frozenset(arguments))
 
 
 def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Formula:

@@ -79,6 +79,8 @@ FORCE, ACCELERATION, TORQUE = "inertia force", "piston acceleration", "inertia t
 COUPLE = "couple"
 REACH = 300
 """Characters before a relation in which words say that other orders cancel."""
+FAR = 800
+"""Characters before a relation in which its engine is named."""
 HIGHEST = 8
 """Orders above are named by nobody."""
 _NUMBERS = {
@@ -368,6 +370,7 @@ class NamedOrders:
         kinds = [kind for kind, pattern in _KINDS.items() if pattern.search(own)]
         whole = self.meant.words.document.text[max(0, chain.start - REACH) : chain.start]
         whole = self.meant.words.glossary.english(whole)
+        far = self.meant.words.document.text[max(0, chain.start - FAR) : chain.start]
         is_left = _CANCEL.search(whole) is not None and _LEFT.search(own) is not None
         if is_left:  # of the first and second orders the torques cancel, of the third there remains
             kinds = kinds or [kind for kind, pattern in _KINDS.items() if pattern.search(whole)]
@@ -392,7 +395,7 @@ class NamedOrders:
             is_in_row=bool(header) or is_left,
             is_left=is_left,
             quote=quote,
-            is_of_several=is_of_engine and _names_several(whole + own),
+            is_of_several=is_of_engine and _names_several(far),
         )
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:
@@ -544,6 +547,8 @@ class NamedOrders:
         has_ratio = names(right.node) & (names(crank.ratio) - names(crank.radius))
         if not has_ratio and order.kind != TORQUE and has_ratio_as_number(right.node):
             return None
+        if order.is_of_several and factor <= 1:
+            return None  # of an engine whose cranks nobody knows
         if not order.kind or not is_alone or (is_guess and not is_whole_of_all) or crank.small is None:
             return None
         sizes = names(crank.mass) | names(crank.radius) | names(crank.omega)

@@ -168,7 +168,7 @@ def _with_formulas(
             continue
         own = {n: f for n, f in growing.items() if n != head and Name(n) not in pair}
         try:
-            yield _written_out(pair[0], own), _written_out(pair[1], own)
+            yield written_out(pair[0], own), written_out(pair[1], own)
         except NoFormError:  # a rate by such a letter
             yield pair
 

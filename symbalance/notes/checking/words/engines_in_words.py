@@ -64,7 +64,8 @@ _MENTION = re.compile(
 )
 _BANKS = re.compile(
     r"(?<![A-Za-z])(?:V|W|VR)(?:[-\s]?(?:[0-9]{1,2}(?![0-9])|型)|[-\s](?:engine|twin|motor|four|six|eight))"
-    r"|(?<![A-Za-z])(?:banks?|narrow[- ]angle)\b|bankwinkel|Gabelmotor|gegenkolben"
+    r"|(?<![A-Za-z])(?:banks?|narrow[- ]angle)\b|bankwinkel|[VＶ]-?(?:winkel|angle)"
+    r"|gabel(?:winkel|motor)|gegenkolben"
     r"|opposed[\s-]piston"
     r"|バンク|[VＶ]型|en\s+V\b|a\s+V\b",
     re.IGNORECASE,
