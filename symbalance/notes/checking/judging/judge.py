@@ -127,6 +127,7 @@ from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
 )
+from symbalance.notes.checking.steps.formulas_below_numbers import unless_it_fixes_letters
 from symbalance.notes.checking.steps.formulas_below_rows import unless_at_odds_with_rows
 from symbalance.notes.checking.steps.gravity import (
     GRAVITY_UNIT,
@@ -172,6 +173,7 @@ from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.percentages import unless_percent_of_it
 from symbalance.notes.checking.steps.places_in_words import unless_at_another_place
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
+from symbalance.notes.checking.steps.quantities_in_prose import unless_converted_from_prose
 from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
 from symbalance.notes.checking.steps.rates_with_numbers import (
@@ -291,6 +293,7 @@ _ONE_BY_ONE: tuple[_Look, ...] = (
 )
 """What looks at a verdict again, in turn: by the words, places and values around its relation."""
 _LAST: tuple[_Look, ...] = (
+    unless_it_fixes_letters,
     unless_said_to_vary,
     unless_of_ended_case,
     unless_no_extreme,
@@ -344,6 +347,7 @@ _LAST: tuple[_Look, ...] = (
     unless_percent_of_it,
     unless_by_value_of_formula,
     unless_converted_wrongly,
+    unless_converted_from_prose,
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,

@@ -1,0 +1,195 @@
+"""Quantities that prose gives without a letter, said again in another unit: 600 cm³, so V = 6·10⁻⁴ m³.
+
+"The engine is rated at 200 hp. Its power in SI units is P = 200·0.7457 kW": words join the second number to
+the first, and no other quantity of its kind stands in the paragraph. What is off by a power of ten, or by
+the factor of the conversion itself, is a conversion gone wrong.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+
+from symbalance.document.formula import Name, names
+from symbalance.notes.checking.deciding.descriptions import describe
+from symbalance.notes.checking.deciding.equality import REFUTED, Decision
+from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.units.dimensions import written_unit
+from symbalance.notes.checking.units.worded_units import WordedUnit, worded_unit
+from symbalance.notes.checking.verdicts import DEFINITION, PREMISE, UNDECIDED, Verdict
+from symbalance.notes.reading.equations import Chain, Side
+from symbalance.notes.reading.formulas.result_units import value_of, without_unit_of_result
+from symbalance.text import lazy_patterns as re
+
+_NUMBER = re.compile(
+    r"(?<![\w.,^_{\\])(?P<number>[0-9]+(?:(?:\\,|[ \u2009\u202f~])[0-9]{3}(?![0-9]))*(?:(?:\.|\{,\}|,)[0-9]+)?)"
+    r"(?:\s*(?:\\cdot|\\times|[·×])\s*10\s*\^\s*(?:\{\s*(?P<braced>[-−]?\s*[0-9]{1,2})\s*\}|(?P<power>[0-9])))?"
+)
+_SPACES = re.compile(r"\\,|[ \u2009\u202f~]")
+_RATIO_OF_UNITS = re.compile(
+    r"(?<![\w.,])1\s*(?:\\,|~|\$|\\mathrm|\{|\s)*[^\W\d_]{1,6}[^.;=]{0,30}=|(?<![^\W\d_])(?:one|an?|eine?|une?|uno|una)\s+(?:[^\W\d_-]+[\s-]){0,3}?"
+    r"(?:\([^()]*\)\s*)?(?:has|is|are|equals?|ist|sind|hat|entspricht|beträgt|vaut|est|correspond|è|vale|equivale|es)(?![^\W\d_])"
+    r"|(?<![^\W\d_])(?:in|to|per)\s+an?\s+[^\W\d_]+\s*(?:and|$)|(?<![^\W\d_])(?:umrechnung|conversion|facteur|fattore|factor)|[はが].{0,20}に等しい",
+    re.IGNORECASE,
+)
+"""A sentence on units alone: one horsepower is 745.7 W; there are 1000 g in a kilogram; 1 bar = 10⁵ Pa."""
+_SENTENCE = re.compile(r"(?<=[.;!?])\s+(?=[^\W\d_a-zà-ÿ]|\$)|。|\n\s*\n")
+_SAID_AGAIN = re.compile(
+    r"(?<![^\W\d_])(?:this|that|these|those|it|its|which|i\.\s?e\.|das|dies|diese|sie|er|es|ihre?|seine?|d\.\s?h\.|entspricht|cela|ce|c['’]est|ceci|elle|il|sa|son|soit"
+    r"|questo|questa|ciò|cioè|sua|suo|essa|esso|eso|esto|esta|su|o\s+sea|corresponds?|correspond|corrisponde|corresponde"
+    r"|in\s+(?:the\s+)?(?:SI|basic?|base|coherent|metric)(?:[\s-]units?)?|converted|umgerechnet|en\s+unités|converti[es]?|in\s+unità|convertit[oai]|en\s+unidades|convertid[oa]s?)"
+    r"(?![^\W\d_])|これは|すなわち|つまり|換算|SI単位",
+    re.IGNORECASE,
+)
+"""Words by which a sentence speaks of the quantity before it."""
+_IN_A_UNIT = re.compile(r"(?<![^\W\d_])(?:[Ii]n|[Ee]n)\s+(?=[^\W\d_])")
+_OTHER = re.compile(
+    r"(?<![^\W\d_])(?:per|each|every|half|twice|double[ds]?|thrice|third|quarter|parts?|other|another|loses|losses|gains?|more|less|instead|different"
+    r"|pro|je|jeder?|jedes|halb\w*|doppelt\w*|dritte[lnr]?|viertel|teil\w*|andere[nrs]?|verlust\w*|statt|par|chaque|moitié|autre|double|tiers|quart|pertes?"
+    r"|ogni|metà|altr[ao]|doppi[ao]|terzo|quarto|perdite?|cada|mitad|otr[ao]|doble|cam\w*|gear\w*|order|belt|wheel|ratio|nocken\w*|getriebe\w*|ordnung\w*|arbre\s+à\s+cames)"
+    r"(?![^\W\d_])|半分|二倍|倍|他の|別の|あたり|ごと|カム|歯車|次",
+    re.IGNORECASE,
+)
+"""Words of a part, a multiple or another thing: what they say is no conversion."""
+_OWN_RATE = re.compile(r"natural|critical|resonan|eigen|kritisch|propre|propri[oa]|critic|crítica|固有|共振|危険", re.IGNORECASE)
+"""Words of a frequency that a thing has by itself, whatever it turns at."""
+_RATE_AGAIN = re.compile(
+    r"(?<![^\W\d_])(?:this|that|these|it\s+is|corresponds?|corresponding|thus|hence|therefore|i\.\s?e\.|das|dies|entspricht|also|somit|daher|d\.\s?h\."
+    r"|cela|ce|soit|donc|correspond|questo|ciò|cioè|quindi|dunque|corrisponde|eso|esto|luego|corresponde)(?![^\W\d_])|これは|すなわち|つまり|よって",
+    re.IGNORECASE,
+)
+_COMMANDS = re.compile(r"\\(?:cdot|times|[dt]?frac|left|right|sqrt|pi|mathrm|text|textrm|unit)(?![A-Za-z])|\\[,;:! ]")
+_LETTERS = re.compile(r"[A-Za-z]")
+"""What is left of an arithmetic with a unit in it, without the commands of its markup."""
+_NEAR = 700
+"""Characters before a relation in which its quantity may stand."""
+_SAME, _SLIP = 0.02, 0.012
+"""Parts by which a conversion, and a slip of it, may be rounded."""
+_TENS = 9
+
+
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """A quantity of the prose: its number in the SI, its unit, as it stands there, and its sentence."""
+
+    value: float
+    unit: WordedUnit
+    text: str
+    sentence: str
+    place: int
+
+
+def unless_converted_from_prose(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
+    """Return a verdict; refuted where a value is a quantity of the words before it, wrongly converted."""
+    head, last = chain.sides[0].node, chain.sides[-1]
+    is_open = verdict.verdict in (DEFINITION, PREMISE, UNDECIDED)
+    if k or not is_open or not isinstance(head, Name) or {r.sign for r in chain.relations} > {"=", "≈"}:
+        return verdict
+    if any(names(side.node) for side in chain.sides[1:]):
+        return verdict
+    unit = _unit_of(state, chain, last)
+    sentence = state.sections.sentence_before(chain)
+    if unit is None or _OTHER.search(sentence):
+        return verdict
+    given = _given_before(state, chain, unit)
+    if given is None or not _speaks_of_it(state, chain, sentence, given):
+        return verdict
+    claimed = list(_claimed(state, chain, unit))
+    slips = [value / given.value for value in claimed]
+    if not slips or any(math.isclose(ratio, 1, rel_tol=_SAME) for ratio in slips):
+        return verdict
+    if not _is_slip(slips[0], unit, given):
+        return verdict
+    state.definitions.forget(head.name, chain.lines[0])
+    reason = f"{given.text} is {given.value / unit.scale:.6g} {unit.text}"
+    return describe(state.document, chain, k, Decision(REFUTED, reason))
+
+
+def _unit_of(state: JudgingState, chain: Chain, side: Side) -> WordedUnit | None:
+    """Return the unit that a value ends in, in its formula or right behind it."""
+    source = state.document.source(side.span)
+    typed = written_unit(source)[1]
+    unit = worded_unit(typed) if typed else None
+    return unit or worded_unit(state.document.text[side.span[1] : side.span[1] + 60])
+
+
+def _claimed(state: JudgingState, chain: Chain, unit: WordedUnit) -> Iterator[float]:
+    """Yield what the first value of a chain may be in the SI: in its own unit, or in that of its end."""
+    first = chain.sides[1]
+    source = state.document.source(first.span)
+    typed = _typed_number(source)
+    if typed is not None:
+        own = _unit_of(state, chain, first)
+        yield typed * (unit if own is None or own.dimension != unit.dimension else own).scale
+        return
+    if _LETTERS.search(_COMMANDS.sub("", source)) and not unit.is_rate:
+        yield from filter(None, (value_of(first.node),))  # the reader has put the unit in
+    elif (number := value_of(without_unit_of_result(first))) is not None:
+        yield number * unit.scale
+
+
+def _typed_number(source: str) -> float | None:
+    """Return the number that a value consists of but for its unit; None for an arithmetic."""
+    match = _NUMBER.match(source.lstrip())
+    behind = "" if match is None else source.lstrip()[match.end() :]
+    if match is None or re.search(r"[0-9+]|\\frac|\\cdot|\\times|[·×/−-]\s*[0-9]", re.sub(r"\^\s*\{?[-−]?[0-9]\}?", "", behind)):
+        return None
+    return _value(match)
+
+
+def _value(match: re.Match[str]) -> float:
+    number = float(_SPACES.sub("", match["number"]).replace("{,}", ".").replace(",", "."))
+    power = match["braced"] or match["power"] or "0"
+    return number * 10.0 ** int(power.replace("−", "-").replace(" ", ""))
+
+
+def _given_before(state: JudgingState, chain: Chain, unit: WordedUnit) -> _Given | None:
+    """Return the one quantity of a kind that the paragraph has before a relation; None for none or two."""
+    sections, text = state.sections, state.document.text
+    first = sections.start_of_line(sections.paragraph_start(chain.lines[0]))
+    start = max(first, chain.start - _NEAR)
+    found: list[_Given] = []
+    place = start
+    for sentence in _SENTENCE.split(text[start : chain.start]):
+        at = text.find(sentence, place, chain.start)
+        place = at + len(sentence)
+        if not sentence or _RATIO_OF_UNITS.search(sentence):
+            continue
+        for match in _NUMBER.finditer(sentence):
+            there = worded_unit(sentence[match.end() : match.end() + 80])
+            if there is not None and there.dimension == unit.dimension and (value := _value(match)):
+                shown = f"{match[0]} {there.text}"
+                found.append(_Given(value * there.scale, there, shown, sentence, at + match.start()))
+    sizes = {f"{each.value:.4e}" for each in found}
+    if len(sizes) != 1 or _OTHER.search(found[-1].sentence):
+        return None
+    return found[-1]
+
+
+def _speaks_of_it(state: JudgingState, chain: Chain, sentence: str, given: _Given) -> bool:
+    """Tell whether a sentence speaks of the quantity before it, and of no other of its kind."""
+    if given.unit.is_rate:
+        above = state.sections.chain_before(chain.start)
+        is_next = above is not None and above.start <= given.place < above.end
+        if _OWN_RATE.search(sentence) and not _OWN_RATE.search(given.sentence):
+            head, other = chain.sides[0].node, above.sides[0].node if above is not None and is_next else None
+            is_same = isinstance(head, Name) and isinstance(other, Name)
+            if not is_same or head.name.partition("_")[2] != other.name.partition("_")[2]:
+                return False
+        return _RATE_AGAIN.search(sentence) is not None
+    if _SAID_AGAIN.search(sentence):
+        return True
+    return any(worded_unit(sentence[m.end() :]) is not None for m in _IN_A_UNIT.finditer(sentence))
+
+
+def _is_slip(ratio: float, unit: WordedUnit, given: _Given) -> bool:
+    """Tell whether a value is off by what goes wrong in a conversion, and by no other factor."""
+    factor = unit.scale / given.unit.scale
+    if unit.is_rate:
+        sizes = [60.0**a * math.tau**b * 2.0**c for a, b, c in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2), (-1, 0, 1))]
+    else:
+        sizes = [factor**m * 10.0**n for m, n in product((-2, -1, 0, 1, 2), range(-_TENS, _TENS + 1))]
+        sizes += [60.0**a for a in (-2, -1, 1, 2)]
+    return any(math.isclose(abs(ratio), size, rel_tol=_SLIP) for size in sizes if not math.isclose(size, 1, rel_tol=_SAME))
