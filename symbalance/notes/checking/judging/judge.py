@@ -157,6 +157,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.needed_sizes import unless_size_fails
 from symbalance.notes.checking.steps.numbers_by_formulas import unless_a_formula_gives_it
+from symbalance.notes.checking.steps.numbers_of_their_units import unless_of_other_units
 from symbalance.notes.checking.steps.numbers_said_again import unless_said_again
 from symbalance.notes.checking.steps.only_solutions import unless_not_the_only
 from symbalance.notes.checking.steps.open_against_lines import open_against_lines
@@ -348,6 +349,7 @@ _LAST: tuple[_Look, ...] = (
     unless_by_value_of_formula,
     unless_converted_wrongly,
     unless_converted_from_prose,
+    unless_of_other_units,
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,

@@ -85,9 +85,9 @@ def unless_converted_from_prose(state: JudgingState, chain: Chain, k: int, verdi
     """Return a verdict; refuted where a value is a quantity of the words before it, wrongly converted."""
     head, last = chain.sides[0].node, chain.sides[-1]
     is_open = verdict.verdict in (DEFINITION, PREMISE, UNDECIDED)
-    if k or not is_open or not isinstance(head, Name) or {r.sign for r in chain.relations} > {"=", "≈"}:
+    if k or not is_open or not isinstance(head, Name) or any(names(s.node) for s in chain.sides[1:]):
         return verdict
-    if any(names(side.node) for side in chain.sides[1:]):
+    if not {r.sign for r in chain.relations} <= {"=", "≈"}:
         return verdict
     unit = _unit_of(state, chain, last)
     sentence = state.sections.sentence_before(chain)

@@ -20,6 +20,7 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of
 from symbalance.notes.checking.units.own_units import ANGULAR_LETTERS
+from symbalance.notes.checking.units.worded_units import worded_unit
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.notes.reading.spellings.numerals import unit_in_words
@@ -190,7 +191,18 @@ def stated_unit(text: str, place: int) -> StatedUnit | None:
             if scale is not None and dimension is not None:
                 size = scale[0] / 2 if scale[1] else scale[0]
                 return StatedUnit(source, dimension, size, place)
-    return None
+    return _spelled_unit(" ".join(words[:last]), place)
+
+
+def _spelled_unit(text: str, place: int) -> StatedUnit | None:
+    """Return the unit that a text begins with in words: megapascals, revolutions per second."""
+    unit = worded_unit(text) if re.match(r"[A-Za-zÀ-ÿ]{4,}", text) else None
+    if unit is None:
+        return None
+    turns = unit.scale / (2 * pi) if unit.is_rate else 0.0
+    size = Fraction(turns).limit_denominator(60) if turns else Fraction(str(unit.scale))
+    is_angular = unit.is_rate and isclose(unit.scale, 1)
+    return StatedUnit(unit.text, unit.dimension, Fraction(1) if is_angular else size, place)
 
 
 _BRACED = re.compile(r"\{\s*([-−]?\s*[0-9])\s*\}")
