@@ -105,6 +105,7 @@ from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.conditions_restated import unless_condition_again
+from symbalance.notes.checking.steps.consequences_in_words import unless_no_consequence
 from symbalance.notes.checking.steps.cosines_of_no_angle import unless_of_no_angle
 from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
@@ -350,6 +351,7 @@ _LAST: tuple[_Look, ...] = (
     unless_converted_wrongly,
     unless_converted_from_prose,
     unless_of_other_units,
+    unless_no_consequence,
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,
