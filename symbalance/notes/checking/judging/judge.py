@@ -136,6 +136,7 @@ from symbalance.notes.checking.steps.gravity import (
     stands_for_gravity,
 )
 from symbalance.notes.checking.steps.impossible_ranges import unless_impossible
+from symbalance.notes.checking.steps.invariants_in_words import unless_against_what_stays
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.large_by_words import unless_large_by_words
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
@@ -352,6 +353,7 @@ _LAST: tuple[_Look, ...] = (
     unless_converted_from_prose,
     unless_of_other_units,
     unless_no_consequence,
+    unless_against_what_stays,
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 
 from symbalance.document.formula import (
     Call,
@@ -17,23 +16,21 @@ from symbalance.document.formula import (
     Formula,
     Integral,
     Name,
-    Number,
     Product,
     Quotient,
     Summation,
     names,
     walk,
 )
-from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.values_at_points import value_at
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.checking.words.plain_formulas import plain_text
 from symbalance.notes.reading.equations import Chain
-from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.text import lazy_patterns as re
 
 _JUDGED = (CONDITION, DEFINITION, PREMISE, UNDECIDED)
@@ -65,7 +62,12 @@ _NEAR = 500
 """Characters before a formula in which its equation stands."""
 _FEWEST = 3
 """Letters of an equation that is solved: of two anything may be meant, x = 2y."""
-_SETS = ((0.21, 0.34, 0.27, 0.31, 0.23), (1.3, 2.1, 1.7, 3.4, 2.6), (7.0, 1.9, 4.3, 2.9, 5.1), (2.2, 6.4, 1.2, 8.5, 3.7))
+_SETS = (
+    (0.21, 0.34, 0.27, 0.31, 0.23),
+    (1.3, 2.1, 1.7, 3.4, 2.6),
+    (7.0, 1.9, 4.3, 2.9, 5.1),
+    (2.2, 6.4, 1.2, 8.5, 3.7),
+)
 """Values of the letters at which a formula is tried, in the order of their names."""
 _FEWEST_POINTS = 2
 _CLOSE = 1e-7
@@ -144,7 +146,7 @@ def _misses_equation(chain: Chain, above: Chain) -> bool:
     if decimals(right):
         return False
     verdicts = [
-        _holds_at(above, name, function, _value_at(right, point), point) for point in _points(others)
+        _holds_at(above, name, function, value_at(right, point), point) for point in _points(others)
     ]
     known = [each for each in verdicts if each is not None]
     return len(known) >= _FEWEST_POINTS and not any(known)
@@ -160,10 +162,12 @@ def _holds_at(
         return False  # no angle has it
     angles = [value] if not function else [_INVERSE[function](value)]
     if function:
-        angles += {"sin": [math.pi - angles[0]], "cos": [-angles[0]], "tan": [math.pi + angles[0]]}[function]
+        angles += {"sin": [math.pi - angles[0]], "cos": [-angles[0]], "tan": [math.pi + angles[0]]}[
+            function
+        ]
     found = []
     for angle in angles:
-        sides = [_value_at(side.node, {**point, name: angle}) for side in above.sides]
+        sides = [value_at(side.node, {**point, name: angle}) for side in above.sides]
         if sides[0] is None or sides[1] is None:
             continue
         size = max(abs(sides[0]), abs(sides[1]), 1e-3 if 0.0 in sides else 0.0)
@@ -176,16 +180,6 @@ def _points(letters: list[str]) -> Iterator[dict[str, float]]:
     for values in _SETS:
         if len(letters) <= len(values):
             yield dict(zip(letters, values, strict=False))
-
-
-def _value_at(node: Formula, values: Mapping[str, float]) -> float | None:
-    """Return what a formula is where its letters have numbers, None for one that has no such value."""
-    for name, value in values.items():
-        try:
-            node = substitute(node, name, Number(Fraction(value)))
-        except NoFormError:
-            return None
-    return None if names(node) else value_of(node)
 
 
 def _definitions_above(state: JudgingState, chain: Chain) -> dict[str, Formula]:
@@ -211,7 +205,7 @@ def _misses_definitions(left: Formula, right: Formula, values: Mapping[str, Form
     others = sorted(names(node))
     if not names(right) or not names(right) <= {*others} or {*values} & {*others}:
         return False
-    pairs = [(_value_at(node, point), _value_at(right, point)) for point in _points(others)]
+    pairs = [(value_at(node, point), value_at(right, point)) for point in _points(others)]
     known = [(a, b) for a, b in pairs if a is not None and b is not None and a]
     near = _ROUNDED if decimals(right) or decimals(node) else _CLOSE
     return len(known) >= _FEWEST_POINTS and all(abs(b / a - 1) > near for a, b in known)

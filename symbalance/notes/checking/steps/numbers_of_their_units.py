@@ -8,15 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from fractions import Fraction
 from itertools import product
 
-from symbalance.document.formula import Derivative, Formula, Name, Number, Product, names, walk
+from symbalance.document.formula import Derivative, Formula, Name, Product, names, walk
 from symbalance.document.letters import plain_letter
-from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.substitution import substitute
+from symbalance.notes.checking.deciding.values_at_points import solved_at, value_at
 from symbalance.notes.checking.steps.angular_speeds_by_turns import is_of_another_shaft
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.units.dimensions import unit_of
@@ -31,7 +30,6 @@ from symbalance.notes.checking.units.units_of_letters import (
 )
 from symbalance.notes.checking.verdicts import DEFINITION, PREMISE, PROVED_WORDS, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain
-from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.text import lazy_patterns as re
 
 _JUDGED = (DEFINITION, PREMISE, UNDECIDED, *PROVED_WORDS)
@@ -51,9 +49,7 @@ _OF_MORE = re.compile(
 _POWER, _TORQUE, _NONE = unit_of("W"), unit_of("N m"), unit_of("1/s")
 _ROUNDED = 0.004
 """Parts by which a printed constant, 9550 for 9549.3, may be rounded."""
-_SLIPS = tuple(
-    60.0**a * math.tau**b for a, b in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2)) if a or b
-)
+_SLIPS = tuple(60.0**a * math.tau**b for a, b in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2)) if a or b)
 _POINTS = (1.0, 1.7, 2.3)
 
 
@@ -76,9 +72,7 @@ def unless_of_other_units(state: JudgingState, chain: Chain, k: int, verdict: Ve
     return describe(state.document, chain, k, Decision(REFUTED, reason))
 
 
-def _units(
-    state: JudgingState, chain: Chain, head: str, own: frozenset[str]
-) -> Mapping[str, LetterUnit]:
+def _units(state: JudgingState, chain: Chain, head: str, own: frozenset[str]) -> Mapping[str, LetterUnit]:
     """Return the units of a relation's letters: by the words of its paragraph, or as declared."""
     letters = own | {head}
     units = declared_units(state.declarations.symbols_at(chain.lines[0]), letters)
@@ -99,7 +93,12 @@ def _of_one_speed(
     own = sorted(names(right))
     both = [units.get(name) for name in (head, *own)]
     first, second = both[0], both[1] if len(both) > 1 else None
-    if len(own) != 1 or first is None or second is None or not (first.unit.is_rate and second.unit.is_rate):
+    if (
+        len(own) != 1
+        or first is None
+        or second is None
+        or not (first.unit.is_rate and second.unit.is_rate)
+    ):
         return ""
     sentence = state.sections.sentence_leading_to(chain)
     indices = {name.partition("_")[2] for name in (head, own[0])} - {""}
@@ -128,23 +127,12 @@ def _between_quantities(head: str, other: str) -> float:
 
 def _constant(formula: Formula, name: str) -> float | None:
     """Return the constant that a letter is multiplied by; None for another formula."""
-    values = [_value_at(formula, {name: at}) for at in _POINTS]
+    values = [value_at(formula, {name: at}) for at in _POINTS]
     ratios = [None if v is None else v / at for v, at in zip(values, _POINTS, strict=True)]
     first = ratios[0]
     if first is None or any(r is None or not math.isclose(r, first, rel_tol=1e-9) for r in ratios):
         return None
     return first
-
-
-def _value_at(formula: Formula, values: Mapping[str, float]) -> float | None:
-    """Return what a formula is where its letters have numbers, None for one that has no such value."""
-    node = formula
-    try:
-        for name, value in values.items():
-            node = substitute(node, name, Number(Fraction(value)))
-    except NoFormError:
-        return None
-    return None if names(node) else value_of(node)
 
 
 def _of_two_clocks(
@@ -161,7 +149,9 @@ def _of_two_clocks(
     letter = plain_letter(rates[0])
     if by_minute and is_si and math.isclose(unit.unit.scale, math.tau):
         return f"{letter} counts revolutions by the second, and nothing is divided by 60"
-    is_numbered = any(not names(side.node) for c in state.sections.chains_of(Name(rates[0])) for side in c.sides[1:])
+    is_numbered = any(
+        not names(side.node) for c in state.sections.chains_of(Name(rates[0])) for side in c.sides[1:]
+    )
     is_minute = math.isclose(unit.unit.scale, math.pi / 30)
     if not by_minute and is_si and unit.is_number and is_minute and not is_numbered:
         if head.unit.dimension[2] and _has_few_constants(right, names(right)):
@@ -171,7 +161,7 @@ def _of_two_clocks(
 
 def _has_few_constants(right: Formula, own: frozenset[str]) -> bool:
     """Tell whether the constant of a formula is a small one that turns no unit into another."""
-    at_one = _value_at(right, dict.fromkeys(own, 1.0))
+    at_one = value_at(right, dict.fromkeys(own, 1.0))
     return at_one is not None and 1 / 16 <= abs(at_one) <= 16
 
 
@@ -189,7 +179,7 @@ def _of_a_law(
     for point in (1.0, 1.3, 0.8):
         values = {name: point + 0.37 * place for place, name in enumerate(own)}
         quantities = {name: value * units[name].unit.scale for name, value in values.items()}
-        exact, claimed = _by_law(law, head, quantities), _value_at(right, values)
+        exact, claimed = solved_at(law, head, quantities), value_at(right, values)
         if exact is None or not claimed:
             return ""
         found.append(exact / units[head].unit.scale / claimed)
@@ -235,21 +225,3 @@ def _law_above(
     if len(letters) == 3 and kinds.keys() == {_POWER, _TORQUE, _NONE}:
         return Name(kinds[_POWER]), Product((Name(kinds[_TORQUE]), Name(kinds[_NONE])))
     return None
-
-
-def _by_law(law: _Law, head: str, values: Mapping[str, float]) -> float | None:
-    """Return what a law gives a letter, of whose power the difference of its sides is a multiple."""
-    left, right = law
-    sizes = []
-    for at in (1.0, 2.0):
-        sides = [_value_at(node, {**values, head: at}) for node in (left, right)]
-        if not sides[0] or not sides[1] or sides[0] * sides[1] < 0:
-            return None
-        sizes.append(math.log(sides[0] / sides[1]))
-    power = (sizes[1] - sizes[0]) / math.log(2)
-    if not power:
-        return None
-    third = [_value_at(node, {**values, head: 4.0}) for node in (left, right)]
-    if not third[0] or not third[1] or not math.isclose(math.log(third[0] / third[1]), sizes[0] + power * math.log(4), abs_tol=1e-9):
-        return None  # no product of powers
-    return math.exp(-sizes[0] / power)

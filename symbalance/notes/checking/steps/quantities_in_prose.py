@@ -53,14 +53,19 @@ _OTHER = re.compile(
     re.IGNORECASE,
 )
 """Words of a part, a multiple or another thing: what they say is no conversion."""
-_OWN_RATE = re.compile(r"natural|critical|resonan|eigen|kritisch|propre|propri[oa]|critic|crítica|固有|共振|危険", re.IGNORECASE)
+_OWN_RATE = re.compile(
+    r"natural|critical|resonan|eigen|kritisch|propre|propri[oa]|critic|crítica|固有|共振|危険",
+    re.IGNORECASE,
+)
 """Words of a frequency that a thing has by itself, whatever it turns at."""
 _RATE_AGAIN = re.compile(
     r"(?<![^\W\d_])(?:this|that|these|it\s+is|corresponds?|corresponding|thus|hence|therefore|i\.\s?e\.|das|dies|entspricht|also|somit|daher|d\.\s?h\."
     r"|cela|ce|soit|donc|correspond|questo|ciò|cioè|quindi|dunque|corrisponde|eso|esto|luego|corresponde)(?![^\W\d_])|これは|すなわち|つまり|よって",
     re.IGNORECASE,
 )
-_COMMANDS = re.compile(r"\\(?:cdot|times|[dt]?frac|left|right|sqrt|pi|mathrm|text|textrm|unit)(?![A-Za-z])|\\[,;:! ]")
+_COMMANDS = re.compile(
+    r"\\(?:cdot|times|[dt]?frac|left|right|sqrt|pi|mathrm|text|textrm|unit)(?![A-Za-z])|\\[,;:! ]"
+)
 _LETTERS = re.compile(r"[A-Za-z]")
 """What is left of an arithmetic with a unit in it, without the commands of its markup."""
 _NEAR = 700
@@ -134,7 +139,9 @@ def _typed_number(source: str) -> float | None:
     """Return the number that a value consists of but for its unit; None for an arithmetic."""
     match = _NUMBER.match(source.lstrip())
     behind = "" if match is None else source.lstrip()[match.end() :]
-    if match is None or re.search(r"[0-9+]|\\frac|\\cdot|\\times|[·×/−-]\s*[0-9]", re.sub(r"\^\s*\{?[-−]?[0-9]\}?", "", behind)):
+    if match is None or re.search(
+        r"[0-9+]|\\frac|\\cdot|\\times|[·×/−-]\s*[0-9]", re.sub(r"\^\s*\{?[-−]?[0-9]\}?", "", behind)
+    ):
         return None
     return _value(match)
 
@@ -174,7 +181,10 @@ def _speaks_of_it(state: JudgingState, chain: Chain, sentence: str, given: _Give
         above = state.sections.chain_before(chain.start)
         is_next = above is not None and above.start <= given.place < above.end
         if _OWN_RATE.search(sentence) and not _OWN_RATE.search(given.sentence):
-            head, other = chain.sides[0].node, above.sides[0].node if above is not None and is_next else None
+            head, other = (
+                chain.sides[0].node,
+                above.sides[0].node if above is not None and is_next else None,
+            )
             is_same = isinstance(head, Name) and isinstance(other, Name)
             if not is_same or head.name.partition("_")[2] != other.name.partition("_")[2]:
                 return False
@@ -188,8 +198,15 @@ def _is_slip(ratio: float, unit: WordedUnit, given: _Given) -> bool:
     """Tell whether a value is off by what goes wrong in a conversion, and by no other factor."""
     factor = unit.scale / given.unit.scale
     if unit.is_rate:
-        sizes = [60.0**a * math.tau**b * 2.0**c for a, b, c in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2), (-1, 0, 1))]
+        sizes = [
+            60.0**a * math.tau**b * 2.0**c
+            for a, b, c in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2), (-1, 0, 1))
+        ]
     else:
         sizes = [factor**m * 10.0**n for m, n in product((-2, -1, 0, 1, 2), range(-_TENS, _TENS + 1))]
         sizes += [60.0**a for a in (-2, -1, 1, 2)]
-    return any(math.isclose(abs(ratio), size, rel_tol=_SLIP) for size in sizes if not math.isclose(size, 1, rel_tol=_SAME))
+    return any(
+        math.isclose(abs(ratio), size, rel_tol=_SLIP)
+        for size in sizes
+        if not math.isclose(size, 1, rel_tol=_SAME)
+    )

@@ -27,9 +27,15 @@ _RATES = (
         math.pi / 30,
         rf"rpm|r\.\s?p\.\s?m\.?|{_TURNS}{_PER}{_MINUTE}|min(?:\^-1|⁻¹)|1/min|/min|回転/分|回転毎分",
     ),
-    (2 * math.pi, rf"(?:{_TURNS}|cycles|Schwingungen|cicli|ciclos|oscillations){_PER}{_SECOND}|[Hh]ertz|Hz"),
+    (
+        2 * math.pi,
+        rf"(?:{_TURNS}|cycles|Schwingungen|cicli|ciclos|oscillations){_PER}{_SECOND}|[Hh]ertz|Hz",
+    ),
     (2e3 * math.pi, r"kHz|[Kk]ilo[Hh]ertz"),
-    (1.0, rf"rad/s|rad(?:ian(?:s|t|ts|ti|es|i)?|ianti)?\.?{_PER}{_SECOND}|Radiant{_PER}Sekunde|rad\ss(?:\^-1|⁻¹)"),
+    (
+        1.0,
+        rf"rad/s|rad(?:ian(?:s|t|ts|ti|es|i)?|ianti)?\.?{_PER}{_SECOND}|Radiant{_PER}Sekunde|rad\ss(?:\^-1|⁻¹)",
+    ),
 )
 """By what a number of a unit is multiplied for radians a second, and how the unit is written."""
 _METRE = r"(?:metres?|meters?|[Mm]etern?|mètres?|metri|metro|metros)"
@@ -38,13 +44,22 @@ _SPELLED = (
     ("N m", rf"[Nn]ewton[\s-]?{_METRE}"),
     ("kN m", rf"[Kk]ilonewton[\s-]?{_METRE}"),
     ("MW", r"[Mm]egawatts?"),
-    ("kWh", r"[Kk]ilowatt[\s-]?hours?|Kilowattstunden?|kilowatt-?heures?|chilowattora|kilovatios?[\s-]hora"),
+    (
+        "kWh",
+        r"[Kk]ilowatt[\s-]?hours?|Kilowattstunden?|kilowatt-?heures?|chilowattora|kilovatios?[\s-]hora",
+    ),
     ("kW", r"[Kk]ilowatts?|chilowatt|kilovatios?"),
     ("W", r"[Ww]atts?|vatios?"),
     ("hp", r"(?:mechanical\s)?horse[\s-]?powers?|b?hp|BHP|HP"),
-    ("PS", r"PS|Pferdestärken?|metric\shorse[\s-]?power|chevaux(?:[\s-]vapeur)?|ch|CV|cv|cavalli(?:\svapore)?|caballos"),
+    (
+        "PS",
+        r"PS|Pferdestärken?|metric\shorse[\s-]?power|chevaux(?:[\s-]vapeur)?|ch|CV|cv|cavalli(?:\svapore)?|caballos",
+    ),
     ("GPa", r"[Gg]igapascals?"),
-    ("MPa", r"[Mm]egapascals?|newtons?\sper\ssquare\smilli(?:meter|metre)|Newton\s(?:pro|je)\sQuadratmillimeter"),
+    (
+        "MPa",
+        r"[Mm]egapascals?|newtons?\sper\ssquare\smilli(?:meter|metre)|Newton\s(?:pro|je)\sQuadratmillimeter",
+    ),
     ("kPa", r"[Kk]ilopascals?"),
     ("Pa", r"[Pp]ascals?"),
     ("MJ", r"[Mm]egajoules?"),
@@ -54,11 +69,20 @@ _SPELLED = (
     ("cm^3", rf"cubic\scenti{_METRE}|Kubikzenti{_METRE}|centi{_METRE}\s?(?:cubes?|cubi|cúbicos)|cc|ccm"),
     ("m^3", rf"cubic\s{_METRE}|Kubik{_METRE}|{_METRE}\s?(?:cubes?|cubi|cúbicos)"),
     ("dm^3", r"lit(?:er|re)s?|Litern?|litr[io]|litros?|l|L|ℓ"),
-    ("mm^2", rf"square\smilli{_METRE}|Quadratmilli{_METRE}|milli{_METRE}\s?(?:carrés?|quadrati|cuadrados)"),
-    ("cm^2", rf"square\scenti{_METRE}|Quadratzenti{_METRE}|centi{_METRE}\s?(?:carrés?|quadrati|cuadrados)"),
+    (
+        "mm^2",
+        rf"square\smilli{_METRE}|Quadratmilli{_METRE}|milli{_METRE}\s?(?:carrés?|quadrati|cuadrados)",
+    ),
+    (
+        "cm^2",
+        rf"square\scenti{_METRE}|Quadratzenti{_METRE}|centi{_METRE}\s?(?:carrés?|quadrati|cuadrados)",
+    ),
     ("m^2", rf"square\s{_METRE}|Quadrat{_METRE}|{_METRE}\s?(?:carrés?|quadrati|cuadrados)"),
     ("kg m^2", rf"kilogram(?:me)?[\s-](?:square\s)?{_METRE}(?:\ssquared)?|Kilogramm\s?Quadrat{_METRE}"),
-    ("km/h", r"kilomet(?:er|re)s?\s(?:per|an)\shour|Kilometern?\s(?:pro|je)\sStunde|kilomètres?\spar\sheure"),
+    (
+        "km/h",
+        r"kilomet(?:er|re)s?\s(?:per|an)\shour|Kilometern?\s(?:pro|je)\sStunde|kilomètres?\spar\sheure",
+    ),
     ("m/s", rf"{_METRE}{_PER}{_SECOND}"),
     ("kN", r"[Kk]ilonewtons?"),
     ("N", r"[Nn]ewtons?"),
