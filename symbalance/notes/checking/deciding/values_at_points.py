@@ -1,4 +1,4 @@
-"""Formulas at one point: what they are where each letter has a number, and what letter a law gives then."""
+"""Formulas at one point: what they are where letters have numbers, and what a law gives a letter then."""
 
 from __future__ import annotations
 

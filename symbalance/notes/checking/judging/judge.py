@@ -103,6 +103,7 @@ from symbalance.notes.checking.steps.candidate_solutions import unless_candidate
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
+from symbalance.notes.checking.steps.compared_coefficients import unless_of_other_coefficients
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.conditions_restated import unless_condition_again
 from symbalance.notes.checking.steps.consequences_in_words import unless_no_consequence
@@ -124,6 +125,7 @@ from symbalance.notes.checking.steps.extremes_by_index import unless_other_extre
 from symbalance.notes.checking.steps.extremes_in_numbers import unless_no_such_value
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.forced_motions import unless_no_forced_motion
+from symbalance.notes.checking.steps.forces_in_prose import unless_against_forces
 from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
@@ -354,6 +356,8 @@ _LAST: tuple[_Look, ...] = (
     unless_of_other_units,
     unless_no_consequence,
     unless_against_what_stays,
+    unless_of_other_coefficients,
+    unless_against_forces,
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,

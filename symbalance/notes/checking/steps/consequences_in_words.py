@@ -155,7 +155,7 @@ def _misses_equation(chain: Chain, above: Chain) -> bool:
 def _holds_at(
     above: Chain, name: str, function: str, value: float | None, point: Mapping[str, float]
 ) -> bool | None:
-    """Tell whether an equation holds where a letter, or a wave of it, has a value; None if that is open."""
+    """Tell whether an equation holds where a letter, or a wave of it, has a value; None if open."""
     if value is None:
         return None
     if function in ("sin", "cos") and abs(value) > 1:

@@ -1,7 +1,7 @@
 """States of one process, of which words or "const" say what stays the same: p V^κ = const, p₂ = p₁ ε^κ.
 
-The product has the same value with the letters of the one state as with those of the other; the ratio of two
-of them stands in the same paragraph, ε = V₁/V₂. What a formula gives for the second state has to fit both.
+The product has the same value with the letters of the one state as with those of the other; the ratio of
+two of them stands in the same paragraph, ε = V₁/V₂. What a formula gives for the second state has to fit.
 """
 
 from __future__ import annotations
@@ -17,12 +17,16 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.deciding.values_at_points import solved_at, value_at
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
+from symbalance.notes.checking.words.formulas_typed import formula_typed
 from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain
 from symbalance.text import lazy_patterns as re
 
 _JUDGED = (CONDITION, DEFINITION, PREMISE, UNDECIDED)
-_CONSTANT = r"(?:constant[es]?|const\.?|konstant\w*|konst\.?|costante|constante|invariable|unchanged|the\s+same|conserved|unverändert|erhalten|conservée?|conservat[ao]|conservad[ao])"
+_CONSTANT = (
+    r"(?:constant[es]?|const\.?|konstant\w*|konst\.?|costante|constante|invariable|unchanged|the\s+same"
+    r"|conserved|unverändert|erhalten|conservée?|conservat[ao]|conservad[ao])"
+)
 _STAYS = re.compile(
     r"\$(?P<product>[^$=<>≈]{2,60})\$[\s,)]*(?:(?:is|are|stays?|remains?|keeps?|ist|bleibt|sind|bleiben|est|reste|demeure|è|rimane|resta|es|permanece|se\s+mantiene|being|then|always|stets|immer"
     rf"|dabei|toujours|sempre|siempre)\s+){{1,3}}{_CONSTANT}|\$(?P<equated>[^$=<>≈]{{2,60}})=\s*(?:\\(?:mathrm|text|textrm|mathit|operatorname|mbox|rm)\s*\{{?\s*)?[Kk]?[Cc]?onst"
@@ -36,6 +40,8 @@ _OTHER_PROCESS = re.compile(
 )
 _EQUATION = re.compile(r"\$([^$=<>≈]{1,40}_[^$=<>≈]{1,40}=[^$=<>≈]{1,40})\$")
 _LETTER = re.compile(r"[A-Za-z]_[0-9]")
+_FEWEST = 2
+"""Letters of a product that stays the same."""
 _NEAR = 700
 _CLOSE = 1e-6
 _INDEX = re.compile(r"(?P<base>[^_]+)_(?P<index>[0-9a-zA-Z]{1,3})")
@@ -44,7 +50,7 @@ _POINTS = ((1.3, 2.1, 1.7, 2.6, 3.4), (2.2, 1.4, 3.1, 1.6, 1.2), (3.7, 1.2, 1.35
 
 @dataclass(frozen=True, slots=True)
 class _States:
-    """Two states that a formula connects: the equation of what stays the same, and the ratio's equation."""
+    """Two states that a formula connects: what is the same in both, and the equations of their ratios."""
 
     same: tuple[Formula, Formula]
     ratios: tuple[tuple[Formula, Formula], ...]
@@ -94,8 +100,8 @@ def _states(state: JudgingState, chain: Chain, head: str, own: frozenset[str]) -
     bases = {n.split("_", 1)[0] for n in letters}
     same: list[tuple[Formula, Formula]] = []
     for typed in found:
-        product = _read(typed, frozenset(bases))
-        if product is None or base not in names(product):
+        product = formula_typed(typed, frozenset(bases))
+        if product is None or base not in names(product) or len(names(product)) < _FEWEST:
             continue
         first = second = product
         for name in names(product):
@@ -117,9 +123,7 @@ def _ratios(state: JudgingState, chain: Chain, text: str) -> Iterator[tuple[Form
     single = [c for c in here if len(c.relations) == 1 and c.relations[0].sign == "="]
     of_states = [c for c in single if "_" in "".join(c.letters)]
     yield from (
-        (c.sides[0].node, c.sides[1].node)
-        for c in of_states
-        if c.sides[1].span[0] not in state.refuted
+        (c.sides[0].node, c.sides[1].node) for c in of_states if c.sides[1].span[0] not in state.refuted
     )
     for match in _EQUATION.finditer(text) if not of_states else ():
         try:
@@ -128,15 +132,6 @@ def _ratios(state: JudgingState, chain: Chain, text: str) -> Iterator[tuple[Form
             continue
         if len(read.sides) == 2:
             yield read.sides[0].node, read.sides[1].node
-
-
-def _read(typed: str, letters: frozenset[str]) -> Formula | None:
-    """Return a product as typed, in letters without an index; None for what is none."""
-    try:
-        node = read_equation(f"{typed} = 0", letters).sides[0].node
-    except ReadingError:
-        return None
-    return node if names(node) <= letters and len(names(node)) > 1 else None
 
 
 def _outcomes(states: _States, head: str, right: Formula) -> Iterator[bool]:

@@ -1,7 +1,7 @@
 """Formulas between the numbers of units that words give: ω = 2πn/60 with n in rpm, P = T n/9549 in kW.
 
-Two letters for one speed in two units differ by a constant, and 60 n/(2π) has it upside down. A product of
-letters in stated units is the law of the page, P = T ω, with what turns their units into one another.
+Two letters for one speed in two units differ by a constant, and 60 n/(2π) has it upside down. A product
+of letters in stated units is the law of the page, P = T ω, with what turns their units into one another.
 """
 
 from __future__ import annotations
@@ -153,9 +153,9 @@ def _of_two_clocks(
         not names(side.node) for c in state.sections.chains_of(Name(rates[0])) for side in c.sides[1:]
     )
     is_minute = math.isclose(unit.unit.scale, math.pi / 30)
-    if not by_minute and is_si and unit.is_number and is_minute and not is_numbered:
-        if head.unit.dimension[2] and _has_few_constants(right, names(right)):
-            return f"{letter} counts revolutions by the minute, and {head.unit.text} is by the second"
+    is_bare = unit.is_number and is_minute and not by_minute and not is_numbered
+    if is_bare and is_si and head.unit.dimension[2] and _has_few_constants(right, names(right)):
+        return f"{letter} counts revolutions by the minute, and {head.unit.text} is by the second"
     return ""
 
 

@@ -1,14 +1,13 @@
 """Quantities that prose gives without a letter, said again in another unit: 600 cm³, so V = 6·10⁻⁴ m³.
 
-"The engine is rated at 200 hp. Its power in SI units is P = 200·0.7457 kW": words join the second number to
-the first, and no other quantity of its kind stands in the paragraph. What is off by a power of ten, or by
-the factor of the conversion itself, is a conversion gone wrong.
+"The engine is rated at 200 hp. Its power in SI units is P = 200·0.7457 kW": words join the second number
+to the first, and no other quantity of its kind stands in the paragraph. What is off by a power of ten, or
+by the factor of the conversion itself, is a conversion gone wrong.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
@@ -24,7 +23,8 @@ from symbalance.notes.reading.formulas.result_units import value_of, without_uni
 from symbalance.text import lazy_patterns as re
 
 _NUMBER = re.compile(
-    r"(?<![\w.,^_{\\])(?P<number>[0-9]+(?:(?:\\,|[ \u2009\u202f~])[0-9]{3}(?![0-9]))*(?:(?:\.|\{,\}|,)[0-9]+)?)"
+    r"(?<![\w.,^_{\\])(?P<number>[0-9]+(?:(?:\\,|[ \u2009\u202f~])[0-9]{3}(?![0-9]))*"
+    r"(?:(?:\.|\{,\}|,)[0-9]+)?)"
     r"(?:\s*(?:\\cdot|\\times|[·×])\s*10\s*\^\s*(?:\{\s*(?P<braced>[-−]?\s*[0-9]{1,2})\s*\}|(?P<power>[0-9])))?"
 )
 _SPACES = re.compile(r"\\,|[ \u2009\u202f~]")
@@ -34,7 +34,7 @@ _RATIO_OF_UNITS = re.compile(
     r"|(?<![^\W\d_])(?:in|to|per)\s+an?\s+[^\W\d_]+\s*(?:and|$)|(?<![^\W\d_])(?:umrechnung|conversion|facteur|fattore|factor)|[はが].{0,20}に等しい",
     re.IGNORECASE,
 )
-"""A sentence on units alone: one horsepower is 745.7 W; there are 1000 g in a kilogram; 1 bar = 10⁵ Pa."""
+"""A sentence on units alone: one horsepower is 745.7 W; 1000 g are in a kilogram; 1 bar = 10⁵ Pa."""
 _SENTENCE = re.compile(r"(?<=[.;!?])\s+(?=[^\W\d_a-zà-ÿ]|\$)|。|\n\s*\n")
 _SAID_AGAIN = re.compile(
     r"(?<![^\W\d_])(?:this|that|these|those|it|its|which|i\.\s?e\.|das|dies|diese|sie|er|es|ihre?|seine?|d\.\s?h\.|entspricht|cela|ce|c['’]est|ceci|elle|il|sa|son|soit"
@@ -68,6 +68,10 @@ _COMMANDS = re.compile(
 )
 _LETTERS = re.compile(r"[A-Za-z]")
 """What is left of an arithmetic with a unit in it, without the commands of its markup."""
+_EXPONENT = re.compile(r"\^\s*\{?[-−]?[0-9]\}?")
+_ARITHMETIC = re.compile(r"[0-9+]|\\frac|\\cdot|\\times|[·×/−-]\s*[0-9]")
+"""What is left behind a number, without the exponents of its unit, of more numbers."""
+_REACH = 60
 _NEAR = 700
 """Characters before a relation in which its quantity may stand."""
 _SAME, _SLIP = 0.02, 0.012
@@ -88,62 +92,54 @@ class _Given:
 
 def unless_converted_from_prose(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:
     """Return a verdict; refuted where a value is a quantity of the words before it, wrongly converted."""
-    head, last = chain.sides[0].node, chain.sides[-1]
+    head = chain.sides[0].node
     is_open = verdict.verdict in (DEFINITION, PREMISE, UNDECIDED)
     if k or not is_open or not isinstance(head, Name) or any(names(s.node) for s in chain.sides[1:]):
         return verdict
-    if not {r.sign for r in chain.relations} <= {"=", "≈"}:
-        return verdict
-    unit = _unit_of(state, chain, last)
+    is_plain = {r.sign for r in chain.relations} <= {"=", "≈"}
+    unit = _unit_of(state, chain.sides[-1]) if is_plain else None
     sentence = state.sections.sentence_before(chain)
     if unit is None or _OTHER.search(sentence):
         return verdict
     given = _given_before(state, chain, unit)
     if given is None or not _speaks_of_it(state, chain, sentence, given):
         return verdict
-    claimed = list(_claimed(state, chain, unit))
-    slips = [value / given.value for value in claimed]
-    if not slips or any(math.isclose(ratio, 1, rel_tol=_SAME) for ratio in slips):
-        return verdict
-    if not _is_slip(slips[0], unit, given):
+    claimed = _claimed(state, chain, unit)
+    ratio = 1.0 if claimed is None else claimed / given.value
+    if math.isclose(ratio, 1, rel_tol=_SAME) or not _is_slip(ratio, unit, given):
         return verdict
     state.definitions.forget(head.name, chain.lines[0])
     reason = f"{given.text} is {given.value / unit.scale:.6g} {unit.text}"
     return describe(state.document, chain, k, Decision(REFUTED, reason))
 
 
-def _unit_of(state: JudgingState, chain: Chain, side: Side) -> WordedUnit | None:
+def _unit_of(state: JudgingState, side: Side) -> WordedUnit | None:
     """Return the unit that a value ends in, in its formula or right behind it."""
-    source = state.document.source(side.span)
-    typed = written_unit(source)[1]
+    typed = written_unit(state.document.source(side.span))[1]
     unit = worded_unit(typed) if typed else None
-    return unit or worded_unit(state.document.text[side.span[1] : side.span[1] + 60])
+    return unit or worded_unit(state.document.text[side.span[1] : side.span[1] + _REACH])
 
 
-def _claimed(state: JudgingState, chain: Chain, unit: WordedUnit) -> Iterator[float]:
-    """Yield what the first value of a chain may be in the SI: in its own unit, or in that of its end."""
+def _claimed(state: JudgingState, chain: Chain, unit: WordedUnit) -> float | None:
+    """Return what the first value of a chain is in the SI: in its own unit, or in that of its end."""
     first = chain.sides[1]
     source = state.document.source(first.span)
     typed = _typed_number(source)
     if typed is not None:
-        own = _unit_of(state, chain, first)
-        yield typed * (unit if own is None or own.dimension != unit.dimension else own).scale
-        return
+        own = _unit_of(state, first)
+        return typed * (unit if own is None or own.dimension != unit.dimension else own).scale
     if _LETTERS.search(_COMMANDS.sub("", source)) and not unit.is_rate:
-        yield from filter(None, (value_of(first.node),))  # the reader has put the unit in
-    elif (number := value_of(without_unit_of_result(first))) is not None:
-        yield number * unit.scale
+        return value_of(first.node)  # the reader has put the unit in
+    number = value_of(without_unit_of_result(first))
+    return None if number is None else number * unit.scale
 
 
 def _typed_number(source: str) -> float | None:
     """Return the number that a value consists of but for its unit; None for an arithmetic."""
     match = _NUMBER.match(source.lstrip())
     behind = "" if match is None else source.lstrip()[match.end() :]
-    if match is None or re.search(
-        r"[0-9+]|\\frac|\\cdot|\\times|[·×/−-]\s*[0-9]", re.sub(r"\^\s*\{?[-−]?[0-9]\}?", "", behind)
-    ):
-        return None
-    return _value(match)
+    is_more = _ARITHMETIC.search(_EXPONENT.sub("", behind)) is not None
+    return None if match is None or is_more else _value(match)
 
 
 def _value(match: re.Match[str]) -> float:
@@ -153,7 +149,7 @@ def _value(match: re.Match[str]) -> float:
 
 
 def _given_before(state: JudgingState, chain: Chain, unit: WordedUnit) -> _Given | None:
-    """Return the one quantity of a kind that the paragraph has before a relation; None for none or two."""
+    """Return the one quantity of a kind that a paragraph has before a relation; None for none or two."""
     sections, text = state.sections, state.document.text
     first = sections.start_of_line(sections.paragraph_start(chain.lines[0]))
     start = max(first, chain.start - _NEAR)
@@ -196,17 +192,12 @@ def _speaks_of_it(state: JudgingState, chain: Chain, sentence: str, given: _Give
 
 def _is_slip(ratio: float, unit: WordedUnit, given: _Given) -> bool:
     """Tell whether a value is off by what goes wrong in a conversion, and by no other factor."""
-    factor = unit.scale / given.unit.scale
+    factor, powers = unit.scale / given.unit.scale, (-2, -1, 0, 1, 2)
     if unit.is_rate:
-        sizes = [
-            60.0**a * math.tau**b * 2.0**c
-            for a, b, c in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2), (-1, 0, 1))
-        ]
+        sizes = [60.0**a * math.tau**b * 2.0**c for a, b, c in product(powers, powers, (-1, 0, 1))]
     else:
-        sizes = [factor**m * 10.0**n for m, n in product((-2, -1, 0, 1, 2), range(-_TENS, _TENS + 1))]
-        sizes += [60.0**a for a in (-2, -1, 1, 2)]
-    return any(
-        math.isclose(abs(ratio), size, rel_tol=_SLIP)
-        for size in sizes
-        if not math.isclose(size, 1, rel_tol=_SAME)
-    )
+        tens = range(-_TENS, _TENS + 1)
+        sizes = [factor**m * 10.0**n for m, n in product(powers, tens)]
+        sizes += [60.0**a for a in powers]
+    others = (size for size in sizes if not math.isclose(size, 1, rel_tol=_SAME))
+    return any(math.isclose(ratio, size, rel_tol=_SLIP) for size in others)

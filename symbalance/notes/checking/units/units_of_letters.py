@@ -1,7 +1,7 @@
-"""The units in which words count the letters of one relation: T in newton metres, n revolutions per minute.
+"""The units in which words count the letters of a relation: T in newton metres, n turns per minute.
 
-A unit that words of the paragraph give a letter makes the letter a number of that unit; one that a table of
-symbols declares is the unit of a quantity.
+A unit that words of the paragraph give a letter makes the letter a number of that unit; one that a table
+of symbols declares is the unit of a quantity.
 """
 
 from __future__ import annotations
@@ -48,7 +48,8 @@ class LetterUnit:
 def units_in_words(text: str, names: frozenset[str]) -> dict[str, LetterUnit]:
     """Return the units that a text's words give letters; none for a letter that gets two.
 
-    >>> found = units_in_words("the torque $T$ in newton metres, $n$ revolutions per minute", frozenset("Tn"))
+    >>> words = "the torque $T$ in newton metres, $n$ revolutions per minute"
+    >>> found = units_in_words(words, frozenset("Tn"))
     >>> found["T"].unit.text, found["n"].is_number
     ('N m', True)
     """

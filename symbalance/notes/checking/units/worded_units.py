@@ -1,7 +1,7 @@
 """Units as prose has them, in signs or in words: revolutions per minute, 600 cm³, bar, Newtonmeter.
 
-A sentence gives a quantity without a letter ("its displacement is 600 cm³") or says in which unit a letter
-counts ("the speed n in rpm"). Read here is the unit that a text begins with, whatever its markup.
+A sentence gives a quantity without a letter ("its displacement is 600 cm³") or says in which unit a
+letter counts ("the speed n in rpm"). Read here is the unit that a text begins with, whatever its markup.
 """
 
 from __future__ import annotations
@@ -22,6 +22,8 @@ _MINUTE = r"[Mm]in(?:uten?|utes?|ute|uto|\.)?"
 _SECOND = r"(?:s(?:ec(?:onds?|\.)?|econdes?|econdo|egundos?)?|Sekunden?)"
 RATE = unit_of("1/s")
 """The dimension of speeds of rotation and of frequencies."""
+_CYCLES = r"(?:cycles|Schwingungen|cicli|ciclos|oscillations)"
+_RADIANS = r"(?:rad(?:ian(?:s|t|ts|ti|es|i)?|ianti)?\.?|Radiant)"
 _RATES = (
     (
         math.pi / 30,
@@ -29,15 +31,17 @@ _RATES = (
     ),
     (
         2 * math.pi,
-        rf"(?:{_TURNS}|cycles|Schwingungen|cicli|ciclos|oscillations){_PER}{_SECOND}|[Hh]ertz|Hz",
+        rf"(?:{_TURNS}|{_CYCLES}){_PER}{_SECOND}|[Hh]ertz|Hz",
     ),
     (2e3 * math.pi, r"kHz|[Kk]ilo[Hh]ertz"),
     (
         1.0,
-        rf"rad/s|rad(?:ian(?:s|t|ts|ti|es|i)?|ianti)?\.?{_PER}{_SECOND}|Radiant{_PER}Sekunde|rad\ss(?:\^-1|⁻¹)",
+        rf"rad/s|{_RADIANS}{_PER}{_SECOND}|rad\ss(?:\^-1|⁻¹)",
     ),
 )
 """By what a number of a unit is multiplied for radians a second, and how the unit is written."""
+_CUBED = r"(?:cubes?|cubi|cúbicos)"
+_SQUARED = r"(?:carrés?|quadrati|cuadrados)"
 _METRE = r"(?:metres?|meters?|[Mm]etern?|mètres?|metri|metro|metros)"
 _SPELLED = (
     ("N mm", rf"[Nn]ewton[\s-]?milli{_METRE}"),
@@ -65,9 +69,9 @@ _SPELLED = (
     ("MJ", r"[Mm]egajoules?"),
     ("kJ", r"[Kk]ilojoules?"),
     ("J", r"[Jj]oules?"),
-    ("mm^3", rf"cubic\smilli{_METRE}|Kubikmilli{_METRE}|milli{_METRE}\s?(?:cubes?|cubi|cúbicos)"),
+    ("mm^3", rf"cubic\smilli{_METRE}|Kubikmilli{_METRE}|milli{_METRE}\s?{_CUBED}"),
     ("cm^3", rf"cubic\scenti{_METRE}|Kubikzenti{_METRE}|centi{_METRE}\s?(?:cubes?|cubi|cúbicos)|cc|ccm"),
-    ("m^3", rf"cubic\s{_METRE}|Kubik{_METRE}|{_METRE}\s?(?:cubes?|cubi|cúbicos)"),
+    ("m^3", rf"cubic\s{_METRE}|Kubik{_METRE}|{_METRE}\s?{_CUBED}"),
     ("dm^3", r"lit(?:er|re)s?|Litern?|litr[io]|litros?|l|L|ℓ"),
     (
         "mm^2",
@@ -77,7 +81,7 @@ _SPELLED = (
         "cm^2",
         rf"square\scenti{_METRE}|Quadratzenti{_METRE}|centi{_METRE}\s?(?:carrés?|quadrati|cuadrados)",
     ),
-    ("m^2", rf"square\s{_METRE}|Quadrat{_METRE}|{_METRE}\s?(?:carrés?|quadrati|cuadrados)"),
+    ("m^2", rf"square\s{_METRE}|Quadrat{_METRE}|{_METRE}\s?{_SQUARED}"),
     ("kg m^2", rf"kilogram(?:me)?[\s-](?:square\s)?{_METRE}(?:\ssquared)?|Kilogramm\s?Quadrat{_METRE}"),
     (
         "km/h",
@@ -101,11 +105,15 @@ _SPELLED = (
 _END = r"(?![^\W\d_])(?!\s?\^)"
 _BY_WORDS = tuple((sign, re.compile(rf"(?:{words}){_END}")) for sign, words in _SPELLED)
 _BY_RATES = tuple((scale, re.compile(rf"(?:{words}){_END}")) for scale, words in _RATES)
+_RAISED = r"(?:\s?\^\s?[-−]?[0-9]|[⁻]?[¹²³⁴])?"
 _SIGN = re.compile(
-    r"(?:[A-Za-zµ°]{1,4}(?:\s?\^\s?[-−]?[0-9]|[⁻]?[¹²³⁴])?)(?:[ ·*/](?=[A-Za-zµ]{1,4}(?![A-Za-z]))[A-Za-zµ]{1,4}(?:\s?\^\s?[-−]?[0-9]|[⁻]?[¹²³⁴])?){0,3}"
+    rf"[A-Za-zµ°]{{1,4}}{_RAISED}"
+    rf"(?:[ ·*/](?=[A-Za-zµ]{{1,4}}(?![A-Za-z]))[A-Za-zµ]{{1,4}}{_RAISED}){{0,3}}"
 )
+"""A unit in signs, of up to four parts."""
 _MARKUP = re.compile(
-    r"\\(?:mathrm|text|textrm|mbox|unit|si|operatorname|rm)(?![A-Za-z])\s*|\\[,;: ]|\\cdot(?![A-Za-z])|[~${}]|\\(?=%)"
+    r"\\(?:mathrm|text|textrm|mbox|unit|si|operatorname|rm)(?![A-Za-z])\s*|\\[,;: ]|\\cdot(?![A-Za-z])"
+    r"|[~${}]|\\(?=%)"
 )
 _SPACES = re.compile(r"[\s\u00a0\u2009\u202f]+")
 _REACH = 60
