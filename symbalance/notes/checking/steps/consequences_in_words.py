@@ -51,9 +51,9 @@ _GIVES = re.compile(
 )
 """Right before a formula, that it follows."""
 _CASE = re.compile(
-    rf"{_WORD}(?:if|when|unless|where|at|for\s+(?:an?|small|large|the\s+case)|case|provided|neglect\w*|small|large|limit|approx\w*|roughly|nearly|about|other|another|instead|new|solid|full|hollow"
-    r"|wenn|falls|bei|wo|fall|klein\w*|groß\w*|vernachlässig\w*|grenzfall|etwa|andere[nrs]?|voll\w*|hohl\w*|si|quand|lorsque|cas|négligeant|petit\w*|grande?s?|autre|plein\w*|massif|creux|creuse"
-    r"|se|quando|caso|trascurando|piccol\w*|altr[ao]|pien[ao]|cav[ao]|cuando|despreciando|pequeñ\w*|otr[ao]|maciz[ao]|huec[ao])"
+    rf"{_WORD}(?:if|when|unless|where|at|for\s+(?:an?|small|large|the\s+case)|case|provided|neglect\w*|small|large|limit|approx\w*|roughly|nearly|about|other|another|instead|new|second|further|additional|condition|solid|full|hollow"
+    r"|wenn|falls|bei|wo|fall|klein\w*|groß\w*|vernachlässig\w*|grenzfall|etwa|andere[nrs]?|zweite[nrs]?|weitere[nrs]?|bedingung|voll\w*|hohl\w*|si(?!\s+(?:ottiene|ha|trova|ricava|può))|quand|lorsque|cas|négligeant|petit\w*|grande?s?|autre|deuxième|seconde|plein\w*|massif|creux|creuse"
+    r"|se(?!\s+(?:obtiene|tiene|despeja|sigue|halla|deduce))|quando|caso|trascurando|piccol\w*|altr[ao]|seconda|condizione|pien[ao]|cav[ao]|cuando|despreciando|pequeñ\w*|otr[ao]|segunda|condición|maciz[ao]|huec[ao])"
     rf"{_END}|とき|場合|近似|無視|別の|他の|中実|中空",
     re.IGNORECASE,
 )

@@ -41,7 +41,7 @@ _NUMERICAL = re.compile(
 )
 """Words that make an equation one between numbers."""
 _OF_MORE = re.compile(
-    r"firing|ignition|combustion|torsional|vibration|cylinder|stroke|blade|tooth|teeth|beat|Zünd|Takt|Zylinder|Zähne|Schwing|allumage|temps|cylindre|dents|accension|tempi|cilindr"
+    r"fir(?:ing|es?\b)|ignit|combustion|torsional|vibration|cylinder|stroke|blade|tooth|teeth|beat|Zünd|Takt|Zylinder|Zähne|Schwing|allumage|temps|cylindre|dents|accension|tempi|cilindr"
     r"|denti|encendido|tiempos|dientes|点火|気筒|歯",
     re.IGNORECASE,
 )
@@ -51,6 +51,11 @@ _ROUNDED = 0.004
 """Parts by which a printed constant, 9550 for 9549.3, may be rounded."""
 _SLIPS = tuple(60.0**a * math.tau**b for a, b in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2)) if a or b)
 _POINTS = (1.0, 1.7, 2.3)
+
+
+def has_several_in_a_turn(words: str) -> bool:
+    """Tell whether words name what a shaft does several times in a turn, or once in two."""
+    return _OF_MORE.search(words) is not None
 
 
 def unless_of_other_units(state: JudgingState, chain: Chain, k: int, verdict: Verdict) -> Verdict:

@@ -15,6 +15,7 @@ from symbalance.document.formula import Name, names
 from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.steps.judging_state import JudgingState
+from symbalance.notes.checking.steps.numbers_of_their_units import has_several_in_a_turn
 from symbalance.notes.checking.units.dimensions import written_unit
 from symbalance.notes.checking.units.worded_units import WordedUnit, worded_unit
 from symbalance.notes.checking.verdicts import DEFINITION, PREMISE, UNDECIDED, Verdict
@@ -36,17 +37,30 @@ _RATIO_OF_UNITS = re.compile(
 )
 """A sentence on units alone: one horsepower is 745.7 W; 1000 g are in a kilogram; 1 bar = 10⁵ Pa."""
 _SENTENCE = re.compile(r"(?<=[.;!?])\s+(?=[^\W\d_a-zà-ÿ]|\$)|。|\n\s*\n")
-_SAID_AGAIN = re.compile(
-    r"(?<![^\W\d_])(?:this|that|these|those|it|its|which|i\.\s?e\.|das|dies|diese|sie|er|es|ihre?|seine?|d\.\s?h\.|entspricht|cela|ce|c['’]est|ceci|elle|il|sa|son|soit"
-    r"|questo|questa|ciò|cioè|sua|suo|essa|esso|eso|esto|esta|su|o\s+sea|corresponds?|correspond|corrisponde|corresponde"
-    r"|in\s+(?:the\s+)?(?:SI|basic?|base|coherent|metric)(?:[\s-]units?)?|converted|umgerechnet|en\s+unités|converti[es]?|in\s+unità|convertit[oai]|en\s+unidades|convertid[oa]s?)"
-    r"(?![^\W\d_])|これは|すなわち|つまり|換算|SI単位",
+_THIS_IS = re.compile(
+    r"(?<![^\W\d_])(?:(?:this|that|these|those|which|das|dies|cela|ceci|ce|questo|questa|ciò|eso|esto|esta)\s+(?:[^\W\d_]+\s+)?(?:is|are|means?|makes?|corresponds?|equals?"
+    r"|ist|sind|entspricht|heißt|bedeutet|macht|fait|font|correspond|représente|vaut|est|sont|è|sono|corrisponde|significa|equivale|fa|es|son|corresponde)"
+    r"|i\.\s?e\.|that\s+is|d\.\s?h\.|das\s+heißt|c['’]est|soit|cioè|ossia|o\s+sea|es\s+decir)(?![^\W\d_])|これは|すなわち|つまり|換算すると",
     re.IGNORECASE,
 )
-"""Words by which a sentence speaks of the quantity before it."""
-_IN_A_UNIT = re.compile(r"(?<![^\W\d_])(?:[Ii]n|[Ee]n)\s+(?=[^\W\d_])")
+"""Words by which a sentence says the quantity before it again: this is, das sind, cela fait."""
+_ITS = re.compile(
+    r"(?<![^\W\d_])(?:its|their|ihre?|seine?|sa|son|leur|sua|suo|su)(?![^\W\d_])|その", re.IGNORECASE
+)
+_IN_A_UNIT = re.compile(
+    r"(?<![^\W\d_])(?:in|en)\s+(?:the\s+)?(?:(?P<base>(?:SI|basic?|base|coherent|metric|unités|unità|unidades)(?![^\W\d_]))|(?=[^\W\d_]))"
+    r"|(?P<converted>converted|umgerechnet|converti[es]?|convertit[oai]|convertid[oa]s?|換算)",
+    re.IGNORECASE,
+)
+"""Words before a value that is said again in other units: in SI units, in cubic metres, converted."""
+_COMPUTED = re.compile(
+    r"(?<![^\W\d_])(?:gives?|yields?|produces?|causes?|results?|leads?|ergibt|liefert|erzeugt|führt|bewirkt|donne|produit|dà|produce|da)(?![^\W\d_])",
+    re.IGNORECASE,
+)
+"""Words by which a sentence computes something else from a quantity."""
+_NOUN = re.compile(r"[^\W\d_]{4,}|[\u4e00-\u9fff]{2,}")
 _OTHER = re.compile(
-    r"(?<![^\W\d_])(?:per|each|every|half|twice|double[ds]?|thrice|third|quarter|parts?|other|another|loses|losses|gains?|more|less|instead|different"
+    r"(?<![^\W\d_])(?:per|each|every|half|twice|double[ds]?|thrice|third|quarter|parts?|other|another|loses|losses|gains?|more|less|instead|different|larger|smaller|bigger|größer\w*|kleiner\w*"
     r"|pro|je|jeder?|jedes|halb\w*|doppelt\w*|dritte[lnr]?|viertel|teil\w*|andere[nrs]?|verlust\w*|statt|par|chaque|moitié|autre|double|tiers|quart|pertes?"
     r"|ogni|metà|altr[ao]|doppi[ao]|terzo|quarto|perdite?|cada|mitad|otr[ao]|doble|cam\w*|gear\w*|order|belt|wheel|ratio|nocken\w*|getriebe\w*|ordnung\w*|arbre\s+à\s+cames)"
     r"(?![^\W\d_])|半分|二倍|倍|他の|別の|あたり|ごと|カム|歯車|次",
@@ -71,12 +85,19 @@ _LETTERS = re.compile(r"[A-Za-z]")
 _EXPONENT = re.compile(r"\^\s*\{?[-−]?[0-9]\}?")
 _ARITHMETIC = re.compile(r"[0-9+]|\\frac|\\cdot|\\times|[·×/−-]\s*[0-9]")
 """What is left behind a number, without the exponents of its unit, of more numbers."""
-_REACH = 60
+_REACH, _BEHIND = 60, 120
 _NEAR = 700
 """Characters before a relation in which its quantity may stand."""
 _SAME, _SLIP = 0.02, 0.012
 """Parts by which a conversion, and a slip of it, may be rounded."""
 _TENS = 9
+_UNIT_WORDS = frozenset(
+    ["cubic", "square", "metres", "meters", "units", "mathrm", "text", "unités", "unità"]
+)
+"""Words of two sentences that are no name of a quantity."""
+_MOMENT = re.compile(r"N\s?·?\s?m|lbf")
+_STRESS = re.compile(r"stress|spannung|contrainte|tension|tensione|応力", re.IGNORECASE)
+_BY_THE_SECOND = frozenset(["1/s", "s^-1", "s⁻¹"])
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,14 +120,19 @@ def unless_converted_from_prose(state: JudgingState, chain: Chain, k: int, verdi
     is_plain = {r.sign for r in chain.relations} <= {"=", "≈"}
     unit = _unit_of(state, chain.sides[-1]) if is_plain else None
     sentence = state.sections.sentence_before(chain)
-    if unit is None or _OTHER.search(sentence):
+    behind = _SENTENCE.split(state.document.text[chain.end : chain.end + _BEHIND])[0]
+    if unit is None or _OTHER.search(sentence) or _OTHER.search(behind):
         return verdict
     given = _given_before(state, chain, unit)
-    if given is None or not _speaks_of_it(state, chain, sentence, given):
+    words = f"{sentence} {behind}"
+    is_of_it = given is not None and not _is_of_another_kind(unit, given, words)
+    if given is None or not is_of_it or not _speaks_of_it(state, chain, sentence, given):
         return verdict
     claimed = _claimed(state, chain, unit)
-    ratio = 1.0 if claimed is None else claimed / given.value
-    if math.isclose(ratio, 1, rel_tol=_SAME) or not _is_slip(ratio, unit, given):
+    ratios = [] if claimed is None else [claimed / given.value * each for each in _readings(unit, given)]
+    is_so = any(math.isclose(ratio, 1, rel_tol=_SAME) for ratio in ratios)
+    is_indexed = _have_one_index(state, chain, given)
+    if is_so or not any(_is_slip(ratio, unit, given, is_indexed=is_indexed) for ratio in ratios):
         return verdict
     state.definitions.forget(head.name, chain.lines[0])
     reason = f"{given.text} is {given.value / unit.scale:.6g} {unit.text}"
@@ -174,27 +200,52 @@ def _given_before(state: JudgingState, chain: Chain, unit: WordedUnit) -> _Given
 def _speaks_of_it(state: JudgingState, chain: Chain, sentence: str, given: _Given) -> bool:
     """Tell whether a sentence speaks of the quantity before it, and of no other of its kind."""
     if given.unit.is_rate:
-        above = state.sections.chain_before(chain.start)
-        is_next = above is not None and above.start <= given.place < above.end
-        if _OWN_RATE.search(sentence) and not _OWN_RATE.search(given.sentence):
-            head, other = (
-                chain.sides[0].node,
-                above.sides[0].node if above is not None and is_next else None,
-            )
-            is_same = isinstance(head, Name) and isinstance(other, Name)
-            if not is_same or head.name.partition("_")[2] != other.name.partition("_")[2]:
-                return False
+        is_of_thing = _OWN_RATE.search(sentence) and not _OWN_RATE.search(given.sentence)
+        if is_of_thing and not _have_one_index(state, chain, given):
+            return False
         return _RATE_AGAIN.search(sentence) is not None
-    if _SAID_AGAIN.search(sentence):
-        return True
-    return any(worded_unit(sentence[m.end() :]) is not None for m in _IN_A_UNIT.finditer(sentence))
+    if _THIS_IS.search(sentence):
+        return not _COMPUTED.search(sentence)
+    asked = any(
+        m["base"] or m["converted"] or worded_unit(sentence[m.end() :]) is not None
+        for m in _IN_A_UNIT.finditer(sentence)
+    )
+    first, second = ({*_NOUN.findall(words)} for words in (given.sentence, sentence))
+    is_same = not second - _UNIT_WORDS or bool(first & second - _UNIT_WORDS)
+    return asked and (is_same or _ITS.search(sentence) is not None)
 
 
-def _is_slip(ratio: float, unit: WordedUnit, given: _Given) -> bool:
+def _have_one_index(state: JudgingState, chain: Chain, given: _Given) -> bool:
+    """Tell whether a value and the one it says again are of letters with the same index: ω_n and f_n."""
+    above = state.sections.chain_before(chain.start)
+    if above is None or not above.start <= given.place < above.end:
+        return False
+    heads = [each.sides[0].node for each in (above, chain)]
+    indices = {head.name.partition("_")[2] for head in heads if isinstance(head, Name)}
+    return len(indices) == 1 and "" not in indices
+
+
+def _is_of_another_kind(unit: WordedUnit, given: _Given, words: str) -> bool:
+    """Tell whether a value is another quantity of the same dimension: an energy, and no torque."""
+    if unit.is_rate:
+        return has_several_in_a_turn(words) or has_several_in_a_turn(given.sentence)
+    is_moment = {bool(_MOMENT.search(text)) for text in (unit.text, given.unit.text)}
+    return len(is_moment) > 1 or bool(_STRESS.search(words)) is not bool(_STRESS.search(given.sentence))
+
+
+def _readings(unit: WordedUnit, given: _Given) -> tuple[float, ...]:
+    """Return by what a rate in 1/s may be off: it counts radians, or revolutions."""
+    signs = {unit.text.replace(" ", ""), given.unit.text.replace(" ", "")}
+    return (1.0, math.tau, 1 / math.tau) if unit.is_rate and signs & _BY_THE_SECOND else (1.0,)
+
+
+def _is_slip(ratio: float, unit: WordedUnit, given: _Given, *, is_indexed: bool) -> bool:
     """Tell whether a value is off by what goes wrong in a conversion, and by no other factor."""
     factor, powers = unit.scale / given.unit.scale, (-2, -1, 0, 1, 2)
     if unit.is_rate:
-        sizes = [60.0**a * math.tau**b * 2.0**c for a, b, c in product(powers, powers, (-1, 0, 1))]
+        halves = (-1, 0, 1) if is_indexed else (0,)
+        sizes = [60.0**a * math.tau**b * 2.0**c for a, b, c in product(powers, powers, halves)]
+        sizes += [10.0**n for n in powers]
     else:
         tens = range(-_TENS, _TENS + 1)
         sizes = [factor**m * 10.0**n for m, n in product(powers, tens)]

@@ -133,6 +133,8 @@ class StatedUnits:
         is_near = all(first <= unit.place <= chain.end + 200 for unit in given)
         shown = ", ".join(f"{plain_letter(n)} in {u.text}" for n, u in units.items() if u is not None)
         reason = f"no formula between these numbers: {shown}"
+        if _is_pure(factor) and self._goes_over_to_numbers(chain, given):
+            return None
         if _is_pure(factor):
             is_sure = is_whole and is_near
             return Decision(REFUTED if is_sure else UNDECIDED, f"{reason}; nothing converts them")
@@ -154,6 +156,11 @@ class StatedUnits:
     def _behind(self, chain: Chain) -> StatedUnit | None:
         match = _BEHIND.match(self.document.text, chain.end)
         return None if match is None else stated_unit(match["unit"], match.start())
+
+    def _goes_over_to_numbers(self, chain: Chain, given: list[StatedUnit]) -> bool:
+        """Tell whether units are put in behind a law between quantities: from P = T ω, with P in kW, …"""
+        behind = self.document.text[chain.end : self._end_of_paragraph(chain)]
+        return all(unit.place > chain.end for unit in given) and _NUMERICAL.search(behind) is not None
 
     def _start_of_paragraph(self, chain: Chain) -> int:
         """Return where the paragraph of a formula begins, be it the one above its display."""
@@ -205,6 +212,13 @@ def _spelled_unit(text: str, place: int) -> StatedUnit | None:
     return StatedUnit(unit.text, unit.dimension, Fraction(1) if is_angular else size, place)
 
 
+_NUMERICAL = re.compile(
+    r"numerical\s+(?:relation|equation|formula|value)|(?<![^\W\d_])(?:insert|put|plug|substitut)\w*[^.]{0,60}\s+in\s"
+    r"|Zahlenwertgleichung|zugeschnittene\w*\s+Größengleichung|(?:formule|équation)\s+(?:aux\s+valeurs\s+)?numérique|(?:formula|equazione)\s+numerica"
+    r"|(?:fórmula|ecuación)\s+numérica|数値(?:式|方程式)",
+    re.IGNORECASE,
+)
+"""Words by which a law between quantities becomes an equation between numbers."""
 _BRACED = re.compile(r"\{\s*([-−]?\s*[0-9])\s*\}")
 _WORDS = re.compile(r"[A-Za-z][a-z]{3,}(?:\s(?:per|a|[a-z]{3,}))*")
 _NO_UNITS = frozenset(
