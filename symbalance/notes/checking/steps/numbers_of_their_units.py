@@ -18,7 +18,7 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.deciding.values_at_points import solved_at, value_at
 from symbalance.notes.checking.steps.angular_speeds_by_turns import is_of_another_shaft
 from symbalance.notes.checking.steps.judging_state import JudgingState
-from symbalance.notes.checking.units.dimensions import unit_of
+from symbalance.notes.checking.units.dimensions import NONE, unit_of
 from symbalance.notes.checking.units.own_units import ANGULAR_LETTERS, is_divided_by_minute
 from symbalance.notes.checking.units.units_of_letters import (
     LetterUnit,
@@ -46,7 +46,7 @@ _OF_MORE = re.compile(
     re.IGNORECASE,
 )
 """Words of frequencies that a shaft gives several times, or half a time, in a turn."""
-_POWER, _TORQUE, _NONE = unit_of("W"), unit_of("N m"), unit_of("1/s")
+_POWER, _TORQUE, _RATE = (unit_of(unit) or NONE for unit in ("W", "N m", "1/s"))
 _ROUNDED = 0.004
 """Parts by which a printed constant, 9550 for 9549.3, may be rounded."""
 _SLIPS = tuple(60.0**a * math.tau**b for a, b in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2)) if a or b)
@@ -227,6 +227,6 @@ def _law_above(
         if there == letters:
             return left, right
     kinds = {units[name].unit.dimension: name for name in letters}
-    if len(letters) == 3 and kinds.keys() == {_POWER, _TORQUE, _NONE}:
-        return Name(kinds[_POWER]), Product((Name(kinds[_TORQUE]), Name(kinds[_NONE])))
+    if len(letters) == 3 and kinds.keys() == {_POWER, _TORQUE, _RATE}:
+        return Name(kinds[_POWER]), Product((Name(kinds[_TORQUE]), Name(kinds[_RATE])))
     return None

@@ -92,7 +92,8 @@ _SAME, _SLIP = 0.02, 0.012
 """Parts by which a conversion, and a slip of it, may be rounded."""
 _TENS = 9
 _UNIT_WORDS = frozenset(
-    ["cubic", "square", "metres", "meters", "units", "mathrm", "text", "unités", "unità"]
+    "cubic square metres meters units unit mathrm text unités unità unidades Einheiten converted umgerechnet"
+    " convertito converti convertido Kubikmetern Litern litres liters".split()
 )
 """Words of two sentences that are no name of a quantity."""
 _MOMENT = re.compile(r"N\s?·?\s?m|lbf")
