@@ -91,10 +91,11 @@ _NEAR = 700
 _SAME, _SLIP = 0.02, 0.012
 """Parts by which a conversion, and a slip of it, may be rounded."""
 _TENS = 9
-_UNIT_WORDS = frozenset(
-    "cubic square metres meters units unit mathrm text unités unità unidades Einheiten converted umgerechnet"
-    " convertito converti convertido Kubikmetern Litern litres liters".split()
-)
+_UNIT_WORDS = frozenset([
+    "cubic", "square", "metres", "meters", "units", "unit", "mathrm", "text", "unités", "unità",
+    "unidades", "Einheiten", "converted", "umgerechnet", "convertito", "converti", "convertido",
+    "Kubikmetern", "Litern", "litres", "liters",
+])  # fmt: skip
 """Words of two sentences that are no name of a quantity."""
 _MOMENT = re.compile(r"N\s?·?\s?m|lbf")
 _STRESS = re.compile(r"stress|spannung|contrainte|tension|tensione|応力", re.IGNORECASE)
