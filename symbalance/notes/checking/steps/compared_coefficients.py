@@ -26,6 +26,8 @@ _COMPARED = re.compile(
 )
 """Words by which two equations are said to be one."""
 _FORMS = 2
+_REACH = 900
+"""Characters before a formula in which words compare two equations."""
 _POINTS = ((1.3, 0.7, 2.1, 1.7, 0.4, 2.9), (0.6, 2.3, 1.1, 0.8, 3.1, 1.9), (2.7, 1.6, 0.5, 3.3, 1.2, 0.9))
 _CLOSE = 1e-9
 
@@ -61,7 +63,7 @@ def _balances(state: JudgingState, chain: Chain) -> Iterator[tuple[Formula, Form
     """Yield the equations between the factors of the two equations of motion that words compare."""
     sections = state.sections
     first_line = sections.paragraph_start(chain.lines[0])
-    start = min(sections.start_of_line(first_line), chain.start)
+    start = max(min(sections.start_of_line(first_line), chain.start), chain.start - _REACH)
     forms = [e for e in state.equations_of_motion if first_line <= e.line <= chain.lines[0]]
     if len(forms) != _FORMS or not _COMPARED.search(state.document.text[start : chain.start]):
         return

@@ -47,6 +47,8 @@ _OF_MORE = re.compile(
 )
 """Words of frequencies that a shaft gives several times, or half a time, in a turn."""
 _POWER, _TORQUE, _RATE = (unit_of(unit) or NONE for unit in ("W", "N m", "1/s"))
+_REACH = 900
+"""Characters before a formula in which words give its letters their units."""
 _ROUNDED = 0.004
 """Parts by which a printed constant, 9550 for 9549.3, may be rounded."""
 _SLIPS = tuple(60.0**a * math.tau**b for a, b in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2)) if a or b)
@@ -83,7 +85,8 @@ def _units(state: JudgingState, chain: Chain, head: str, own: frozenset[str]) ->
     units = declared_units(state.declarations.symbols_at(chain.lines[0]), letters)
     text, sections = state.document.text, state.sections
     first = sections.start_of_line(sections.paragraph_start(chain.lines[0]))
-    units |= units_in_words(text_around(text, min(first, chain.start), chain.start, chain.end), letters)
+    first = max(min(first, chain.start), chain.start - _REACH)
+    units |= units_in_words(text_around(text, first, chain.start, chain.end), letters)
     asked = unit_behind(text, chain.end) or unit_of_sentence(sections.sentence_leading_to(chain))
     known = units.get(head)
     if asked is not None and (known is None or known.unit.dimension == asked.unit.dimension):
@@ -198,7 +201,8 @@ def _is_between_numbers(state: JudgingState, chain: Chain, units: Mapping[str, L
     """Tell whether words make a relation one between numbers: they name their units, or say so."""
     sections, text = state.sections, state.document.text
     first = sections.start_of_line(sections.paragraph_start(chain.lines[0]))
-    said = _NUMERICAL.search(text[min(first, chain.start) : chain.start]) is not None
+    first = max(min(first, chain.start), chain.start - _REACH)
+    said = _NUMERICAL.search(text[first : chain.start]) is not None
     worded = [unit.is_worded for name, unit in units.items()]
     return said and any(worded)
 
