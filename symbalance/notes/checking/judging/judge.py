@@ -104,8 +104,10 @@ from symbalance.notes.checking.steps.candidate_solutions import unless_candidate
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
+from symbalance.notes.checking.steps.compared_coefficients import unless_of_other_coefficients
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.conditions_restated import unless_condition_again
+from symbalance.notes.checking.steps.consequences_in_words import unless_no_consequence
 from symbalance.notes.checking.steps.cosines_of_no_angle import unless_of_no_angle
 from symbalance.notes.checking.steps.crank_angle_in_words import at_crank_angle_in_words
 from symbalance.notes.checking.steps.data_lists import open_if_datum
@@ -126,10 +128,12 @@ from symbalance.notes.checking.steps.extremes_in_numbers import unless_no_such_v
 from symbalance.notes.checking.steps.finer_numbers import unless_finer_by_nothing
 from symbalance.notes.checking.steps.fluctuations_by_tolerance import unless_half_fluctuation
 from symbalance.notes.checking.steps.forced_motions import unless_no_forced_motion
+from symbalance.notes.checking.steps.forces_in_prose import unless_against_forces
 from symbalance.notes.checking.steps.formula_one_slip_away import (
     as_multiple_in_words,
     number_of_a_formula_one_slip_away,
 )
+from symbalance.notes.checking.steps.formulas_below_numbers import unless_it_fixes_letters
 from symbalance.notes.checking.steps.formulas_below_rows import unless_at_odds_with_rows
 from symbalance.notes.checking.steps.gravity import (
     GRAVITY_UNIT,
@@ -137,6 +141,7 @@ from symbalance.notes.checking.steps.gravity import (
     stands_for_gravity,
 )
 from symbalance.notes.checking.steps.impossible_ranges import unless_impossible
+from symbalance.notes.checking.steps.invariants_in_words import unless_against_what_stays
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.large_by_words import unless_large_by_words
 from symbalance.notes.checking.steps.largest_of_waves import unless_plain_sum
@@ -161,6 +166,7 @@ from symbalance.notes.checking.steps.nearest_equation import (
 from symbalance.notes.checking.steps.nearest_numbers import refuted_by_nearest, with_other_values
 from symbalance.notes.checking.steps.needed_sizes import unless_size_fails
 from symbalance.notes.checking.steps.numbers_by_formulas import unless_a_formula_gives_it
+from symbalance.notes.checking.steps.numbers_of_their_units import unless_of_other_units
 from symbalance.notes.checking.steps.numbers_said_again import unless_said_again
 from symbalance.notes.checking.steps.only_solutions import unless_not_the_only
 from symbalance.notes.checking.steps.open_against_lines import open_against_lines
@@ -177,6 +183,7 @@ from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.percentages import unless_percent_of_it
 from symbalance.notes.checking.steps.places_in_words import unless_at_another_place
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
+from symbalance.notes.checking.steps.quantities_in_prose import unless_converted_from_prose
 from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
 from symbalance.notes.checking.steps.rates_with_numbers import (
@@ -301,6 +308,7 @@ _ONE_BY_ONE: tuple[_Look, ...] = (
 )
 """What looks at a verdict again, in turn: by the words, places and values around its relation."""
 _LAST: tuple[_Look, ...] = (
+    unless_it_fixes_letters,
     unless_said_to_vary,
     unless_of_ended_case,
     unless_no_extreme,
@@ -356,6 +364,12 @@ _LAST: tuple[_Look, ...] = (
     unless_percent_of_it,
     unless_by_value_of_formula,
     unless_converted_wrongly,
+    unless_converted_from_prose,
+    unless_of_other_units,
+    unless_no_consequence,
+    unless_against_what_stays,
+    unless_of_other_coefficients,
+    unless_against_forces,
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,

@@ -20,6 +20,7 @@ from symbalance.document.letters import plain_letter
 from symbalance.notes.checking.deciding.equality import REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of
 from symbalance.notes.checking.units.own_units import ANGULAR_LETTERS
+from symbalance.notes.checking.units.worded_units import worded_unit
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.notes.reading.formulas.result_units import value_of
 from symbalance.notes.reading.spellings.numerals import unit_in_words
@@ -132,6 +133,8 @@ class StatedUnits:
         is_near = all(first <= unit.place <= chain.end + 200 for unit in given)
         shown = ", ".join(f"{plain_letter(n)} in {u.text}" for n, u in units.items() if u is not None)
         reason = f"no formula between these numbers: {shown}"
+        if _is_pure(factor) and self._goes_over_to_numbers(chain, given):
+            return None
         if _is_pure(factor):
             is_sure = is_whole and is_near
             return Decision(REFUTED if is_sure else UNDECIDED, f"{reason}; nothing converts them")
@@ -153,6 +156,11 @@ class StatedUnits:
     def _behind(self, chain: Chain) -> StatedUnit | None:
         match = _BEHIND.match(self.document.text, chain.end)
         return None if match is None else stated_unit(match["unit"], match.start())
+
+    def _goes_over_to_numbers(self, chain: Chain, given: list[StatedUnit]) -> bool:
+        """Tell whether units are put in behind a law between quantities: from P = T ω, with P in kW, …"""
+        behind = self.document.text[chain.end : self._end_of_paragraph(chain)]
+        return all(unit.place > chain.end for unit in given) and _NUMERICAL.search(behind) is not None
 
     def _start_of_paragraph(self, chain: Chain) -> int:
         """Return where the paragraph of a formula begins, be it the one above its display."""
@@ -190,9 +198,27 @@ def stated_unit(text: str, place: int) -> StatedUnit | None:
             if scale is not None and dimension is not None:
                 size = scale[0] / 2 if scale[1] else scale[0]
                 return StatedUnit(source, dimension, size, place)
-    return None
+    return _spelled_unit(" ".join(words[:last]), place)
 
 
+def _spelled_unit(text: str, place: int) -> StatedUnit | None:
+    """Return the unit that a text begins with in words: megapascals, revolutions per second."""
+    unit = worded_unit(text) if re.match(r"[A-Za-zÀ-ÿ]{4,}", text) else None
+    if unit is None:
+        return None
+    turns = unit.scale / (2 * pi) if unit.is_rate else 0.0
+    size = Fraction(turns).limit_denominator(60) if turns else Fraction(str(unit.scale))
+    is_angular = unit.is_rate and isclose(unit.scale, 1)
+    return StatedUnit(unit.text, unit.dimension, Fraction(1) if is_angular else size, place)
+
+
+_NUMERICAL = re.compile(
+    r"numerical\s+(?:relation|equation|formula|value)|(?<![^\W\d_])(?:insert|put|plug|substitut)\w*[^.]{0,60}\s+in\s"
+    r"|Zahlenwertgleichung|zugeschnittene\w*\s+Größengleichung|(?:formule|équation)\s+(?:aux\s+valeurs\s+)?numérique|(?:formula|equazione)\s+numerica"
+    r"|(?:fórmula|ecuación)\s+numérica|数値(?:式|方程式)",
+    re.IGNORECASE,
+)
+"""Words by which a law between quantities becomes an equation between numbers."""
 _BRACED = re.compile(r"\{\s*([-−]?\s*[0-9])\s*\}")
 _WORDS = re.compile(r"[A-Za-z][a-z]{3,}(?:\s(?:per|a|[a-z]{3,}))*")
 _NO_UNITS = frozenset(

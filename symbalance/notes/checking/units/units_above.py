@@ -73,6 +73,8 @@ _LETTER = re.compile(r"[^\W\d_]")
 _CLOSE = 1e-9
 _SAME = 1e-6
 _THOUSAND = 3
+_OF_RECIPROCAL = 2
+"""Numbers that 1/0.7457 has."""
 _AROUND_ONE = 100
 """A number from a hundredth to this is no conversion by a power of ten."""
 _PER_SECOND = unit_of("1/s") or NONE
@@ -386,6 +388,9 @@ def _of_another_kind(
     if not is_sure or not of_units or _WEIGHTS.search(words) is not None:
         return None
     most = max(of_units, key=lambda reading: sum(u.dimension != NONE for _, u in reading.numbers))
+    inverse = tuple(-power for power in unit)
+    if most.dimension == inverse and len(values) == _OF_RECIPROCAL and 1 in values:
+        return None  # behind 1 hp = 745.7 W the other way round: 1 kW is 1/0.7457 = 1.34 hp
     witness = {"left": unit_text(most.dimension), "right": unit_text(unit)}
     return Decision(REFUTED, "the numbers' units above make another unit", witness=witness)
 

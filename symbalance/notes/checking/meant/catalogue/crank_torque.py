@@ -140,7 +140,10 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
          effective_power / (effective_power + lost_power),
          (indicated_power - lost_power) / indicated_power),
         ("edit", "power", "minus"),
-        mistakes=(indicated_pressure / effective_pressure, indicated_power / effective_power),
+        mistakes=(indicated_pressure / effective_pressure, indicated_power / effective_power,
+                  lost_power / indicated_power, lost_pressure / indicated_pressure,
+                  effective_power / lost_power, lost_power / effective_power),
+        unless=words(r"share|fraction|minus|verlustgrad|anteil|\bpart\b|taux|quota|割合"),
     ),
     Quantity(
         "effective pressure by the losses", letters("p P"),
