@@ -25,7 +25,8 @@ from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
 
 ROUGH_WORDS = re.compile(
-    r"(?<!without )(?<!without any )(?<!ohne )(?<!ohne jede )(?<!sans )(?<!sans aucune )(?<!senza )(?<!sin )"
+    r"(?<!without )(?<!without any )(?<!ohne )(?<!ohne jede )(?<!sans )(?<!sans aucune )"
+    r"(?<!senza )(?<!sin )"
     r"\b(?:nearly|approximat\w+|roughly|neglect\w*|ignoring|disregarding|accurate enough|close enough"
     r"|sufficient(?:ly)? (?:accura\w+|exact\w*)|to (?:a |the )?(?:first|second|good|close) approximation"
     r"|to (?:the )?(?:first|second|lowest|leading) order|for (?:a )?(?:long|small|large)"
