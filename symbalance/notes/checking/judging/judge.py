@@ -203,6 +203,7 @@ from symbalance.notes.checking.steps.roots_left_out import with_root_left_out
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.rough_rod_angles import unless_rough_in_rod_angle
+from symbalance.notes.checking.steps.rounded_constants import unless_constant_is_rounded
 from symbalance.notes.checking.steps.rounded_pi import unless_with_own_pi
 from symbalance.notes.checking.steps.said_for_all import unless_said_for_all
 from symbalance.notes.checking.steps.scaled_by_proportion import unless_scaled_against_proportion
@@ -357,6 +358,7 @@ _LAST: tuple[_Look, ...] = (
     unless_at_two_numbers,
     by_speed_in_brackets,
     unless_at_multiples,
+    unless_constant_is_rounded,
     unless_against_direction,
     unless_of_bare_numbers,
     unless_by_the_minute,

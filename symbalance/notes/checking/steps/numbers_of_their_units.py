@@ -51,7 +51,8 @@ _REACH = 900
 """Characters before a formula in which words give its letters their units."""
 _ROUNDED = 0.004
 """Parts by which a printed constant, 9550 for 9549.3, may be rounded."""
-_SLIPS = tuple(60.0**a * math.tau**b for a, b in product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2)) if a or b)
+_POWERS = product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2))
+_SLIPS = (2.0, 0.5, *(60.0**a * math.tau**b for a, b in _POWERS if a or b))
 _POINTS = (1.0, 1.7, 2.3)
 
 
@@ -178,7 +179,9 @@ def _of_a_law(
 ) -> str:
     """Return why a formula between numbers is not the page's law with its units; "" where it may be."""
     own = sorted(names(right))
-    if not {head, *own} <= units.keys() or not _is_between_numbers(state, chain, units):
+    if not {head, *own} <= units.keys():
+        return ""
+    if not _is_between_numbers(state, chain, units) and not _converts_power(head, right, units):
         return ""
     law = _law_above(state, chain, head, own, units)
     if law is None:
@@ -205,6 +208,16 @@ def _is_between_numbers(state: JudgingState, chain: Chain, units: Mapping[str, L
     said = _NUMERICAL.search(text[first : chain.start]) is not None
     worded = [unit.is_worded for name, unit in units.items()]
     return said and any(worded)
+
+
+def _converts_power(head: str, right: Formula, units: Mapping[str, LetterUnit]) -> bool:
+    """Tell whether a formula of power, torque and speed has a constant of units: 60, 9549 or the like."""
+    letters = {head, *names(right)}
+    if {units[name].unit.dimension for name in letters} != {_POWER, _TORQUE, _RATE} or len(letters) != 3:
+        return False
+    at_one = value_at(right, dict.fromkeys(names(right), 1.0))
+    plain = (1.0, math.tau, 1 / math.tau)
+    return at_one is not None and not any(math.isclose(at_one, each, rel_tol=1e-6) for each in plain)
 
 
 _Law = tuple[Formula, Formula]
