@@ -118,6 +118,8 @@ def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part
     for kind, (allowed, test) in tests.items():
         if allowed in slips and test():
             return kind
+    if "any" in slips and is_finite and not agrees(Negative(target), claim):
+        return "another formula"
     return next((kind for kind in ("term", "power of a term") if kind in slips), "")
 
 

@@ -100,13 +100,13 @@ def _wrong_shares(own: Formula, other: Formula) -> tuple[Formula, ...]:
 
 _ROD_PART = r"(?:connecting[- ])?rod|pleuel|連接棒|コンロッド"
 _AT_SMALL = (
-    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:small[- ]end"
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on|to)\s+the\s+(?:small[- ]end"
     r"|piston(?:[- ]pin)?|gudgeon[- ]pin"
     r"|wrist[- ]pin)"
     r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:kleinen\s+\w*(?:auge|kopf)|kolben(?:bolzen)?)"
 )
 _AT_BIG = (
-    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:(?:big"
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on|to)\s+the\s+(?:(?:big"
     r"|large)[- ]end|crank[- ]?pin)"
     r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen)"
 )
@@ -206,7 +206,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)", _AT_SMALL,
               r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:kolbenbolzen|kleinen\s+\w*(?:auge|kopf))"),
         (mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small)),
-        ("edit", "power", "part"),
+        ("any", "edit", "power", "part"),
         mistakes=(mass * to_small / rod, mass * (rod - to_big) / rod,
                   mass * to_small / (to_big + to_small),
                   mass * to_big / to_small, mass * to_small / to_big,
@@ -224,7 +224,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)", _AT_BIG,
               r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:(?:kurbel|hub)zapfen|großen\s+\w*(?:auge|kopf))"),
         (mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small)),
-        ("edit", "power", "part"),
+        ("any", "edit", "power", "part"),
         mistakes=(mass * to_big / rod, mass * (rod - to_small) / rod,
                   mass * to_big / (to_big + to_small),
                   mass * to_big / to_small, mass * to_small / to_big,
@@ -237,6 +237,22 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
             r"hin-\s*und\s+hergehende\s+masse",
               r"往復(?:部分の)?質量"),
         (piston_mass + rod_mass / 3,), ("edit", "part"), mistakes=(piston_mass + 2 * rod_mass / 3,),
+    ),
+    Quantity(
+        "reciprocating mass of a piston and the share of its rod", letters("m M"),
+        words(r"(?:reciprocating|oscillating)\s+mass", r"oszillierende[n]?\s+masse",
+              r"hin-\s*und\s+hergehende[n]?\s+masse", r"往復(?:部分の)?質量"),
+        (piston_mass + rod_mass * to_big / rod, piston_mass + rod_mass * (1 - to_small / rod)),
+        ("any", "edit", "part"),
+        mistakes=(piston_mass + rod_mass * to_small / rod, piston_mass + rod_mass * (1 - to_big / rod)),
+    ),
+    Quantity(
+        "rotating mass of a crank and the share of its rod", letters("m M"),
+        words(r"(?:rotating|revolving)\s+mass", r"rotierende[n]?\s+masse", r"umlaufende[n]?\s+masse",
+              r"回転(?:部分の)?質量"),
+        (crank_mass + rod_mass * to_small / rod, crank_mass + rod_mass * (1 - to_big / rod)),
+        ("any", "edit", "part"),
+        mistakes=(crank_mass + rod_mass * to_big / rod, crank_mass + rod_mass * (1 - to_small / rod)),
     ),
     Quantity(
         "rotating mass with two thirds of the rod", letters("m M"),

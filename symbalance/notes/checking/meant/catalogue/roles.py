@@ -44,8 +44,8 @@ class Quantity:
     slips: tuple[str, ...] = ("factor", "power")
     """What one may get wrong: "factor" (of a formula with a number), "bare factor", "power", "root",
     "turn" (2π), "minus", "term", and "edit": a sign, a function,
-    an exponent or a number anywhere within. With "part", words of
-    a part (each, half) excuse no factor."""
+    an exponent or a number anywhere within; "any" for whatever else is not a multiple. With "part", words
+    of a part (each, half) excuse no factor."""
     mistakes: tuple[Formula, ...] = ()
     """Formulas that are wrong by whatever convention."""
     context: re.Pattern[str] | None = None
@@ -165,7 +165,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("rod_angle", "beta phi varphi psi gamma delta", r"rod angle|obliquity|inclination(?: of the"
      r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
      r"|pleuelstangen)winkel"
-     r"|(?:連接棒|コンロッド)の?(?:傾き|傾斜|揺動)?角"),
+     r"|(?:連接棒|コンロッド)の?(?:傾き|傾斜|揺動)?角"
+     r"|angle between (?:the )?(?:connecting )?rod and (?:the )?(?:cylinder|stroke|line of stroke)"
+     r"|winkel zwischen (?:der )?(?:pleuel|schub)?(?:stange|pleuel) und (?:der )?zylinder(?:achse)?"
+     r"|(?:連接棒|コンロッド)とシリンダ(?:ー)?(?:軸|中心線)?(?:と)?の(?:なす)?角"),
     ("crank_angle", "theta vartheta alpha phi varphi", r"crank ?angle|angle of the (?:first )?crank"
      r"|crank rotation"
      r"|kurbelwinkel|winkel der (?:ersten )?kurbel|クランク(?:回転)?角度?"),
@@ -286,7 +289,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("to_big", "", r"(?!)"),
     ("to_small", "", r"(?!)"),
     ("piston_mass", "m_K m_Ko m_k m_p m_P m_piston M_p m_Kolben m_1", r"(?:mass of the )?piston(?: mass"
-        r"| assembly)|mass of the piston"
+        r"| assembly)|mass of (?:the )?piston"
      r"|kolbenmasse|ピストン[^、。]{0,4}質量"),
     ("rod_mass", "m_Pl m_pl m_S m_St m_c m_r m_rod m_R m_P m_Pleuel m_cr", r"(?:connecting[- ])?rod mass"
         r"|mass of the (?:connecting[- ])?rod"
