@@ -200,7 +200,7 @@ _WITHOUT_UNIT = (
     "crank_angle", "turned_angle",
 )  # fmt: skip
 """Roles of numbers that have no unit."""
-_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan", "ln")
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "cot", "atan", "ln")
 
 
 @dataclass

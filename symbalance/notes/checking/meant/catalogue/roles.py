@@ -176,8 +176,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
-    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force (?:total "
-    r"|resultant |acting )?(?:up)?on the (?:piston|gudgeon pin|wrist ?pin)"
+    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|(?:axial )?force (?:total "
+    r"|resultant |acting |axial )?(?:up)?on the (?:piston|gudgeon pin|wrist ?pin)"
      r"|force along the (?:axis of the cylinder|cylinder(?:'s)? axis|line of stroke)"
      r"|ピストンに(?:働く|作用する|かかる)?(?:軸方向の?)?力"
         r"|net (?:piston )?(?:force|load)"
