@@ -243,7 +243,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
                       r"|odd|per\s+bank|in\s+one\s+bank|je bank|crank\s?pins?|throws?|kröpf"
                       r"|hubzapfen|ピン"),
         only=words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル"),
-        slips=("factor",),
+        slips=("any", "factor"),
     ),
     Quantity(
         "firing interval of a two-stroke engine",
@@ -259,7 +259,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         r"|四サイクル|uneven|ungleich"
                       r"|irregular|不等|odd|per\s+bank|je bank|double[- ]acting|doppeltwirk|複動"),
         only=words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル"),
-        slips=("factor",),
+        slips=("any", "factor"),
     ),
     Quantity(
         "side force on the cylinder wall", letters("N F S Q R G H L"),

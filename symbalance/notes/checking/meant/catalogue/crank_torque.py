@@ -196,6 +196,33 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         ("edit", "part"), unless=words(_OFFSET), turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
+        "distance of the piston from its top dead centre at a right angle of the crank",
+        letters("x s y z h S"),
+        words(r"distance\s+from\s+(?:TDC|(?:the\s+)?top\s+dead\s+cent(?:re|er))",
+              r"(?:piston\s+)?displacement(?:\s+of\s+the\s+piston)?(?:\s+from\s+(?:TDC|(?:the\s+)?top\s+dead\s+cent(?:re|er)))?",
+              r"kolbenweg", r"abstand\s+(?:vom?|zum)\s+(?:OT|oberen\s+totpunkt)",
+              r"上死点から(?:の)?(?:ピストン(?:の)?)?(?:距離|変位)", r"ピストン変位"),
+        (pin + rod - root(rod**2 - pin**2), pin * (1 + (1 - root(1 - ratio**2)) / ratio)),
+        ("any", "edit", "part"), mistakes=(rod - root(rod**2 - pin**2),),
+        approximate=(pin * (1 + ratio / 2), pin + pin**2 / (2 * rod)),
+        only=words(r"(?<![0-9.,])90\s?(?:°|\^|degrees?|grad)|right\s+angle\s+(?:to|with|between)"
+                   r"|quarter\s+(?:of\s+a\s+)?(?:turn|revolution)|viertel(?:drehung|umdrehung)"
+                   r"|(?<![0-9.,])90\s?度|直角"),
+        unless=words(_OFFSET, r"\bV\b|V-?(?:twin|engine|motor)|270|\bafter\s+BDC|bottom"),
+    ),
+    Quantity(
+        "moment of inertia of the two masses that replace a rod", letters("J I Theta"),
+        words(r"(?:two[- ]mass(?:\s+(?:model|system|substitute|equivalent))?|(?:the\s+)?two\s+masses)[^.;=]{0,20}?"
+              r"\s(?:has|have|with)\s+(?:the|a)\s+moment\s+of\s+inertia",
+              r"moment\s+of\s+inertia\s+of\s+the\s+(?:two\s+(?:point\s+)?masses|two[- ]mass\s+\w+)",
+              r"zweimassen\w*[^.;=]{0,20}?\s(?:hat|mit)[^.;=]{0,20}?trägheitsmoment",
+              r"trägheitsmoment\s+(?:de[rs]\s+)?(?:beiden\s+(?:ersatz|punkt)?massen|zweimassen\w*)",
+              r"[二2]質点(?:系|モデル)?の慣性モーメント"),
+        (mass * near * far, mass * to_big * to_small), ("any", "edit", "power", "bare factor", "part"),
+        only=words(_ROD_PART, r"\brod\b|stange|bielle|biella|biela"),
+        unless=words(r"about\s+the\s+(?:big|small|crank|piston)|um\s+den\s+(?:kurbel|kolben)"),
+    ),
+    Quantity(
         "mass of a rod at its small end", letters("m M W W1 W2 m1 m2 G"),
         words(rf"(?:reciprocating|oscillating|small[- ]end|upper)\s+(?:{_SHARES})(?:\s+of\s+(?:the"
             rf"|its)\s+"
