@@ -134,7 +134,8 @@ def _slip_by_factor(target: Formula, ratio: float, slips: tuple[str, ...], may_b
     if "turn" in slips and any(isclose(ratio, (2 * pi) ** n, rel_tol=_EXACT) for n in (1, -1, 2, -2)):
         return "factor 2π"
     is_told = "bare factor" in slips or ("factor" in slips and _has_number(target))
-    return "factor" if is_told and not may_be_part and _is_slip_factor(ratio) else ""
+    is_slip = _is_slip_factor(ratio) or ("any" in slips and _is_slip_factor(ratio**2))
+    return "factor" if is_told and not may_be_part and is_slip else ""
 
 
 def _inverse_root(radicand: Formula) -> Formula:

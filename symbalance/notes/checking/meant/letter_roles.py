@@ -40,6 +40,7 @@ LONGEST_NAME = 48
 """Characters of the words before a letter that may name it."""
 _GOES_ON = re.compile(r"\}?\s*(?:[A-Za-z0-9(+*/·^-]|\\(?:[a-z]+))(?<!\\approx)(?<!\\in)(?<!\\to)")
 _ANGULAR = frozenset({"omega", "Omega"})
+_ANGULAR_ROLES = frozenset({"omega", "omega_high", "omega_low"})
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
     r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|(?-i:\ba\b)|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
@@ -102,6 +103,9 @@ _CENTROID = re.compile(
     re.IGNORECASE,
 )
 """The point whose distance from an end of a rod says how its mass is shared."""
+_DISTANCE = re.compile(r"(?:distance|abstand|distanza|distancia)\s*$", re.IGNORECASE)
+_TURNS_DECLARED = re.compile(r"\brpm\b|rev/|\br/min|U/min|1/min|min\^?\{?-1|min⁻¹|tr/min|giri/min")
+"""In a declaration, the unit of a speed that counts turns: no angular speed has it."""
 _CRANK, _ROD = r"(?:crank|kurbel|クランク)", r"(?:\brod|pleuel|stange|連接棒|コンロッド|連桿)"
 _OVER = (
     r"[\w\s]{0,24}?(?:\b(?:over|to|by|zu[mr]?|durch|à|sur|sobre|su|a|e|et|y|entre)\b|[/÷:と])"
@@ -198,6 +202,8 @@ class LetterRoles:
         declared = meanings.get(letter, "")
         if declared and (told := _told_roles(declared)):
             return role in told
+        if role in _ANGULAR_ROLES and _TURNS_DECLARED.search(declared):
+            return False
         if declared and (roles := _roles_in(declared)):
             return role in roles or _is_whole_size(roles, role)
         if declared and not UNITS_ONLY.fullmatch(declared):
@@ -239,6 +245,8 @@ class LetterRoles:
             before = _TAGS.sub("", self.text[max(0, match.start() - 90) : match.start()])
             if before.rstrip(" ").endswith(("-", "+", "/", "·", "−")):
                 continue  # b = l - a from the small end
+            if _DISTANCE.search(before):
+                behind = behind.replace(" of the ", " from the ")  # at the distance d of the big end
             own = {role for role, words in _END_BEHIND.items() if words.match(behind)}
             ends |= own or {role for role, words in _END_BEFORE.items() if words.search(before)}
         return ends.pop() if len(ends) == 1 else ""

@@ -57,7 +57,7 @@ _FORCE_OF_ONE = (
 )
 """Words of what one cylinder does, and no whole engine."""
 _EACH = words(r"\beach|jede|1つ|それぞれ|各|chacun|ciascun|cada\s+un")
-_OF_SINGLE = words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|monocylindre|monocilin")
+_OF_SINGLE = words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|mono-?(?:cylindre|cylinder|cilin)")
 _IN_POUNDS = (
     r"\bpounds?\b|\blbs?\b|\\[dt]?frac\s?\{?\s?[WG](?:_\w)?\s?\}?\s?\{?\s?g\b|\b[WG](?:_\w)?\s?/\s?g\b"
 )

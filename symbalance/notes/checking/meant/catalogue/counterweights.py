@@ -97,7 +97,7 @@ _OTHER_SHAFTS = (
     r"|einzige welle|both (?:shafts )?together|(?:one|per|each|a) weight|two weights"
 )
 _OTHER_SHAFTS += r"|total reciprocating|whole engine|all (?:the |four )?pistons|gesamte oszill"
-_SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono(?:cylindre|cilíndrico)")
+_SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono-?(?:cylindre|cylinder|cilíndrico|cilindric)")
 _ROTATING_ONLY = words(
     r"(?:balanced|counterweight\w*|balances)\s+(?:for\s+)?(?:only\s+)?(?:the\s+|its\s+)?rotating\s+(?:mass(?:es)?|parts)\s+only",
     r"(?:balanced|balances)\s+(?:for\s+)?only\s+(?:for\s+)?(?:the\s+|its\s+)?rotating",
@@ -176,7 +176,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         (mass * pin / 2,), ("power", "part"), others=(mass * pin / 4,), mistakes=(mass * pin,
         2 * mass * pin),
         only=_SINGLE, unless=words(_OTHER_SHAFTS, _FOUR.pattern, _TWICE.pattern,
-            r"crank (?:itself )?carries"),
+            _ROTATING_ONLY.pattern, r"crank (?:itself )?carries"),
         is_told_once=True,
     ),
     Quantity(

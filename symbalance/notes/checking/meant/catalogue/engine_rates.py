@@ -39,9 +39,6 @@ _PER_TURN = words(
     r"(?:ignitions|firings|explosions)\s+(?:per|in\s+one"
     r"|in\s+each)\s+(?:crank\s*shaft\s+)?(?:revolution|turn|turn_rate)",
     r"(?:zündungen|arbeitstakte|arbeitshübe)\s+(?:je|pro)\s+(?:kurbelwellen)?umdrehung",
-    r"(?:temps\s+moteurs?|explosions?|allumages?|combustions?)\s+(?:par|à\s+chaque)\s+(?:tour|révolution)(?:\s+de\s+\w+)?",
-    r"(?:fasi\s+(?:utili|attive|motrici)|scoppi|accensioni|combustioni)\s+(?:per|a|ad\s+ogni)\s+giro",
-    r"(?:carreras\s+(?:útiles|motrices|de\s+trabajo)|explosiones|encendidos|combustiones)\s+por\s+(?:vuelta|revolución)",
     r"1\s?回転(?:あたり|当たり|ごと)の(?:仕事|膨張)(?:行程)?(?:回)?数",
     r"1\s?回転(?:あたり|当たり)の(?:点火|爆発|着火)(?:回)?数",
     r"main\s+(?:harmonic\s+)?order(?:\s+of\s+(?:the\s+)?(?:torque|excitation|firing))?",

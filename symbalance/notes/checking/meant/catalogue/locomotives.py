@@ -45,6 +45,12 @@ _BALANCE_FACTOR = words(
     r"|(?:釣り?合い|つりあい|バランス)率"
 )
 _NO_BALANCE = words(r"rotating mass|rotierende|回転質量|second cylinder|V-twin")
+_LIFTS = (
+    r"(?:leaves\s+the\s+rail|(?:begins|starts)\s+to\s+lift(?:\s+off(?:\s+the\s+rails?)?)?"
+    r"|(?:wheel\s+)?lift(?:s|ing)?(?:\s+off|\s+of\s+the\s+wheel|\s+from)?(?:\s+the\s+rails?)?"
+    r"|hebt\s+(?:das\s+rad\s+)?ab|abheben|浮き上がる?り?|quitte\s+(?:le|the)\s+rail|se\s+soulève|décolle"
+    r"|si\s+(?:solleva|stacca)|se\s+(?:levanta|despega))"
+)
 
 LOCOMOTIVES: tuple[Quantity, ...] = (
     Quantity(
@@ -81,10 +87,7 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "angular velocity at which a wheel leaves the rail", letters("omega Omega w"),
-        words(r"leaves\s+the\s+rail", r"(?:begins|starts)\s+to\s+lift(?:\s+off(?:\s+the\s+rails?)?)?",
-              r"quitte\s+le\s+rail", r"se\s+soulève|décolle", r"si\s+(?:solleva|stacca)", r"se\s+(?:levanta|despega)", r"(?:wheel\s+)?lift(?:s|ing)?(?:\s+off|\s+of\s+the\s+wheel"
-                                      r"|\s+from)?"
-              r"(?:\s+the\s+rails?)?", r"hebt\s+(?:das\s+rad\s+)?ab", r"abheben", r"浮き上がる?り?"),
+        words(_LIFTS + r"(?:[^.;=]{1,50}?(?:angular\s+(?:velocity|speed)|winkelgeschwindigkeit|角速度)[^.;=]{0,14})?"),
         (root(wheel_load / (balance_mass * arm_of_weight)),), ("any", "root", "power", "bare factor"),
         mistakes=(wheel_load / (balance_mass * arm_of_weight),),
         only=words(r"rail|schiene|レール|wheel|\brad\b|車輪"),

@@ -305,7 +305,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
             r"(?:outer|outside|external)(?: radius)?|(?:radius |\be |\bet |\by )(?:exterior"
             r"|extérieur|externo|esterno)|außen(?:radius)?|外半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
-    ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
+    ("turn_rate", "n N f", r"rotational speed|engine speed|crank ?shaft speed|rev/(?:min|s)\b|\b1/min|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
     ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|(?:radius |\be |\bet "
                             r"|\by )(?:interior|intérieur|interno)|innen(?:radius)?|内半径"
@@ -324,7 +324,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|(?:semi-?angolo|metà dell['’]angolo)(?: (?:della V|(?:tra|fra) i cilindri|di apertura))?"
      r"|(?:semi-?ángulo|mitad del ángulo)(?: (?:de la V|entre (?:los )?cilindros|de apertura))?"),
     ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
-    ("wheel_load", "P W Q N G F", r"loads?|dead weight|weight|force|radlast|last|kraft|荷重"),
+    ("wheel_load", "P W Q N G F", r"loads?|charge|carga|carico|dead weight|weight|force|radlast|last|kraft|荷重"),
     ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),
     ("base_force", "F P K f", r"force|amplitude|kraft|力", "0 o 1 I i c m rec"),
     ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole"

@@ -87,6 +87,7 @@ period: periodo
 firing interval: intervallo (?:angolare )?di accensione
 firing interval: intervallo (?:tra|fra) (?:due )?(?:accensioni|scoppi)(?: successiv\w*| consecutiv\w*)?
 firing frequency: frequenza (?:di accensione|degli scoppi)
+power strokes per revolution: (?:fasi (?:utili|attive|motrici)|scoppi|accensioni|combustioni) (?:per|a|ad ogni) giro(?: (?:di|dell.)\s?(?:albero|manovella)(?: motore)?)?
 counterweight: contrappes[oi]
 balance shaft: albero (?:di equilibratura|equilibratore|controrotante)
 balance shafts: alberi (?:di equilibratura|equilibratori|controrotanti)
