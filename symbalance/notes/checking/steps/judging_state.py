@@ -52,6 +52,7 @@ from symbalance.notes.checking.meant.pistons.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.pistons.formula_patterns import FormulaPatterns
 from symbalance.notes.checking.meant.pistons.motion_parity import MotionParity
 from symbalance.notes.checking.meant.varying_speeds import VaryingSpeed, varying_speed, with_varying_speed
+from symbalance.notes.checking.meant.unbalances_in_units import UnbalancesInUnits
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
 from symbalance.notes.checking.motions.trial_solutions import Trial
@@ -144,6 +145,7 @@ class JudgingState:
         )
         self.named = NamedQuantities(self.document, self.sections)
         self.named_numbers = NamedNumbers(self.named)
+        self.unbalances = UnbalancesInUnits(self.named)
         self.named_orders = NamedOrders(self.meant)
         self.engine_resultants = EngineResultants(self.meant.words, self.sections)
         self.crank_motions = CrankMotions(self.document, self.sections, self.meant.words)

@@ -174,7 +174,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     Quantity(
         "moment of each of two shafts against the first order of a single cylinder", _MOMENT, _SHAFT,
         (mass * pin / 2,), ("power", "part"), others=(mass * pin / 4,), mistakes=(mass * pin,
-        2 * mass * pin),
+        2 * mass * pin, mass * pin / 8),
         only=_SINGLE, unless=words(_OTHER_SHAFTS, _FOUR.pattern, _TWICE.pattern,
             _ROTATING_ONLY.pattern, r"crank (?:itself )?carries"),
         is_told_once=True,
@@ -287,7 +287,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     Quantity(
         "permissible eccentricity by the balance quality", letters("e"),
         words(r"permissible\s+(?:eccentricity|specific\s+unbalance)",
-            r"zulässige\s+(?:exzentrizität|spezifische\s+unwucht)",
+            r"zulässige\w*\s+(?:(?:schwerpunkt|masse?n)?-?\s?exzentrizität|(?:spezifische|bezogene)\s+(?:rest)?unwucht)",
               r"許容(?:偏心量?|比不釣り?合い)"),
         (grade / omega, grade / (2 * PI * rotation), grade / (2 * PI * turn_rate)),
         ("any", "bare factor", "turn", "power"), mistakes=(grade * omega,),
