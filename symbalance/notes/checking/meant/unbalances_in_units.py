@@ -196,7 +196,7 @@ class UnbalancesInUnits:
         if head is None:
             return None
         for own in _FORMULAS[kind]:
-            letters = self._letters(own, names(claim), knowledge)
+            letters = self._letters(own, chain, claim, knowledge)
             scales = {
                 size: self._scale(letter, size, chain, knowledge) for size, letter in letters.items()
             }
@@ -214,20 +214,20 @@ class UnbalancesInUnits:
         return None
 
     def _letters(
-        self, sizes: tuple[str, ...], own: frozenset[str] | set[str], knowledge: Knowledge
+        self, sizes: tuple[str, ...], chain: Chain, claim: Formula, knowledge: Knowledge
     ) -> dict[str, str]:
-        """Return the letter of each size, of a formula that has no others."""
+        """Return the letter of each size, by its role or its unit, of a formula that has no others."""
         found: dict[str, str] = {}
         for size in sizes:
             fitting = [
                 n
-                for n in sorted(own)
+                for n in sorted(names(claim) - {*found.values()})
                 if any(self.named.roles.may_be(n, role, knowledge.meanings) for role in _ROLES[size])
+                or (size != "grade" and self._scale(n, size, chain, knowledge) is not None)
             ]
-            fitting = [n for n in fitting if n not in found.values()]
             if fitting:
                 found[size] = fitting[0]
-        return found if set(found.values()) == set(own) else {}
+        return found if {*found.values()} == names(claim) else {}
 
     def _scale(self, letter: str, size: str, chain: Chain, knowledge: Knowledge) -> float | None:
         """Return what a letter's number is multiplied by: by its declared unit, or words behind it."""
