@@ -121,7 +121,7 @@ _IN_A_CASE = re.compile(
 )
 """Words for a case in which an order is another than in general."""
 _FREE = re.compile(
-    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣"
+    r"\bfree\b|freie|resultant|resultier|total|gesamt|\bsum\b|summe|合力|合計|全体|不?釣|不つり[あ合]い"
     r"|\badds?\s+(?:up\s+)?(?:to|into)\b|addieren\s+sich|zusammen\s+ergeben"
     r"|\ball\s+(?:the\s+)?(?:\w+\s+)?cylinders|\balle[rn]?\s+(?:\w+\s+)?zylinder|whole\s+engine"
     r"|ganzen?\s+motors?|全気筒",
@@ -130,6 +130,9 @@ _FREE = re.compile(
 _OF_ONE = re.compile(
     r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
     re.IGNORECASE,
+)
+_SINGLE = re.compile(
+    r"single[\s-]cylinder|one[\s-]cylinder|einzylinder|monocyl|monocil|単気筒|一気筒", re.IGNORECASE
 )
 _OF_HALVES = re.compile(
     r"\b(?:direct|reverse|forward|backward|co-?rotating|counter-?rotating)\b|gegenlauf|mitlauf|逆回転",
@@ -216,6 +219,12 @@ class NamedOrders:
     def _speaks_of_banks(self) -> bool:
         """Tell whether the page speaks of cylinders in banks, whose forces do not simply add up."""
         return _BANKS.search(self.meant.words.page) is not None
+
+    @cached_property
+    def _names_several(self) -> bool:
+        """Tell whether the page names an engine of several cylinders and none of one."""
+        sizes = {engine.cylinders for engine in EnginesInWords(self.meant.words.page).mentions}
+        return any(size > 1 for size in sizes) and 1 not in sizes and not _SINGLE.search(self.meant.words.page)
 
     def judge(
         self,
@@ -460,7 +469,8 @@ class NamedOrders:
         factors: list[tuple[Fraction, tuple[str, ...]]] = []
         if not order.is_of_engine and not order.is_coefficient and _is_of_several(order.words):
             return
-        if not order.is_of_engine or (angles is None and not self._speaks_of_banks):
+        is_open = angles is None and not self._speaks_of_banks and not self._names_several
+        if not order.is_of_engine or is_open:
             factors.append((Fraction(1), ()))
         if order.is_coefficient:
             factors += [(Fraction(1, order.number**p), ()) for p in (1, 2)]

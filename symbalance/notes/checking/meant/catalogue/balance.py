@@ -287,7 +287,8 @@ BALANCE: tuple[Quantity, ...] = (
         mistakes=(cylinders * mass * pin * omega**2, cylinders * mass * pin * omega**2 / root(number(2)),
                   (cylinders - 1) * mass * pin * omega**2 / 2, 2 * mass * pin * omega**2 / cylinders),
         only=words(r"radial(?:\s+engine)?|\bstar\b|sternmotor|星形"),
-        unless=words(r"in phase|in step|would be|together|articulated|slave|nebenpleuel|副連接棒"
+        unless=words(r"in phase|in step|would be|together"
+                     r"|(?:articulated|slave|nebenpleuel|副連接棒)(?![^.;]{0,40}(?:neglect|ignor|vernachlässig|無視))"
                      r"|counterweight|gegengewicht|second|zweite"
         r"|2次|rotating mass|\bbanks?\b|(?:two|double|twin)[- ]row|two rows|\bhalf\b|per\s+pair"
         r"|\bfirst\s+\w+\s+cylinders", _FORCE_OF_ONE), stated=frozenset({"cylinders"}),

@@ -83,7 +83,7 @@ _ROTATING = re.compile(
     re.IGNORECASE,
 )
 WHOLE = re.compile(
-    r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|残[るっ]|whole|engine'?s\b"
+    r"\bfree\b|freie|resultant|resultier|\btotal|gesamt|\bsum\b|summe|合力|合計|全体|残[るっ]|不(?:釣り?合|つり[あ合])い[のな]|whole|engine'?s\b"
     r"|add\s+up|altogether"
     r"|remain|surviv|\bleft\b|bleib|resultante|totale|risultant|libre|\bliber|wypadkow|výsledn|celkov|całkowit|totaal|totale|together|zusammen"
     r"|insgesamt"
