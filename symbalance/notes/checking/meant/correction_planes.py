@@ -46,7 +46,10 @@ _BOTH = re.compile(
     r"|der\s+)?(?:right|rechten|B|2|II)(?![A-Za-z])",
     re.IGNORECASE,
 )
-_PLANES = re.compile(r"\bplanes?\b|ebenen?\b|bearings?\b|lagern?\b|面|軸受|\bplans\b|\bpiani\b|\bplanos\b|paliers|cuscinetti|cojinetes", re.IGNORECASE)
+_PLANES = re.compile(
+    r"\bplanes?\b|ebenen?\b|bearings?\b|lagern?\b|面|軸受|\bplans\b|\bpiani\b|\bplanos\b|paliers|cuscinetti|cojinetes",
+    re.IGNORECASE,
+)
 _PAIR = 2
 _OUTSIDE = re.compile(r"overhung|overhang|outside|fliegend|außerhalb|外側|片持", re.IGNORECASE)
 

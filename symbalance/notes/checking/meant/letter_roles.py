@@ -200,14 +200,8 @@ class LetterRoles:
     def may_be(self, letter: str, role: str, meanings: Mapping[str, str]) -> bool:
         """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
         declared = meanings.get(letter, "")
-        if declared and (told := _told_roles(declared)):
-            return role in told
-        if role in _ANGULAR_ROLES and _TURNS_DECLARED.search(declared):
-            return False
-        if declared and (roles := _roles_in(declared)):
-            return role in roles or _is_whole_size(roles, role)
-        if declared and not UNITS_ONLY.fullmatch(declared):
-            return False
+        if declared and (by_words := _may_be_declared(declared, role)) is not None:
+            return by_words
         roles, is_other = self._roles_named(letter)
         if self.taken.get(letter) == role:
             return True
@@ -420,6 +414,17 @@ def sign_of(letter: str) -> str:
     signs = {stem, plain_letter(stem), "\\" + stem}
     tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
     return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![^\W\d_])"
+
+
+def _may_be_declared(declared: str, role: str) -> bool | None:
+    """Tell whether a declaration lets a letter play a role; None where it says nothing of what it is."""
+    if told := _told_roles(declared):
+        return role in told
+    if role in _ANGULAR_ROLES and _TURNS_DECLARED.search(declared):
+        return False
+    if roles := _roles_in(declared):
+        return role in roles or _is_whole_size(roles, role)
+    return None if UNITS_ONLY.fullmatch(declared) else False
 
 
 @cache

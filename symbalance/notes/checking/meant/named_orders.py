@@ -224,7 +224,11 @@ class NamedOrders:
     def _names_several(self) -> bool:
         """Tell whether the page names an engine of several cylinders and none of one."""
         sizes = {engine.cylinders for engine in EnginesInWords(self.meant.words.page).mentions}
-        return any(size > 1 for size in sizes) and 1 not in sizes and not _SINGLE.search(self.meant.words.page)
+        return (
+            any(size > 1 for size in sizes)
+            and 1 not in sizes
+            and not _SINGLE.search(self.meant.words.page)
+        )
 
     def judge(
         self,

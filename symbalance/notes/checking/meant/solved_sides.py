@@ -89,7 +89,9 @@ def _moment_of(parts: list[tuple[Formula, Fraction]], right: Formula) -> Solved 
         (mass, arm)
         for mass in own
         for arm in own
-        if mass.name[0] in "mM" and arm.name[0] in "rRe" and index_of(mass.name) == index_of(arm.name) != ""
+        if mass.name[0] in "mM"
+        and arm.name[0] in "rRe"
+        and index_of(mass.name) == index_of(arm.name) != ""
     ]
     if len(pairs) != 1 or {n.name for n in pairs[0]} & names(right):
         return None

@@ -80,10 +80,12 @@ _ROLES = {
 _MINUTE = 2 * pi / 60
 _UNITS: dict[str, tuple[tuple[str, float], ...]] = {
     "grade": ((r"mm\s?/\s?s", 1e-3), (r"mm\s?s⁻¹", 1e-3)),
-    "mass": ((r"kg(?!\s?[·m])|kilograms?|kilogramm", 1.0), (r"g(?!\s?[·a-z/])|grams?\b(?!\s?-?milli)", 1e-3),
+    "mass": ((r"kg(?!\s?[·m])|kilograms?|kilogramm", 1.0), (r"g(?!\s?[·a-z/])"
+    r"|grams?\b(?!\s?-?milli)", 1e-3),
              (r"t(?![a-z])", 1e3)),
     "eccentricity": ((r"µm|μm|micrometre?s?|micrometers?|microns?", 1e-6),
-                     (r"mm(?!\s?/)|millimet(?:re|er)s?", 1e-3), (r"m(?![a-zµ²/^])|met(?:re|er)s?\b", 1.0)),
+                     (r"mm(?!\s?/)|millimet(?:re|er)s?", 1e-3), (r"m(?![a-zµ²/^])|met(?:re"
+                     r"|er)s?\b", 1.0)),
     "unbalance": ((r"kg\s?·?\s?mm", 1e-3), (r"kg\s?·?\s?m(?!m)", 1.0), (r"g\s?·?\s?cm", 1e-5),
                   (r"g\s?·?\s?mm|gram[\s-]?millimet(?:re|er)s?|grammmillimeter", 1e-6)),
     "speed": ((r"rad\s?/\s?s|rad\s?s⁻¹|radians?\s+per\s+second", 1.0),
@@ -99,10 +101,12 @@ _UNITS_OF = {
 }  # fmt: skip
 _NUMBER = r"(?<![\w.,^])([0-9]{1,6}(?:[.,][0-9]{1,4})?)(?:\s?[·×]\s?10\^?\{?([-−]?\d)\}?)?"
 _GRADE = re.compile(
-    r"(?:\bG|(?:grade|gütestufe|等級|classe|clase)\s)\s?([0-9]{1,4}(?:[.,][0-9]{1,2})?)(?![\w])", re.IGNORECASE
+    r"(?:\bG|(?:grade|gütestufe|等級|classe|clase)\s)\s?([0-9]{1,4}(?:[.,][0-9]{1,2})?)(?![\w])",
+    re.IGNORECASE,
 )
 _ECCENTRIC = re.compile(
-    r"exzentri|[eé]?xcentr|eccentr|\boff\b|offset|displaced|neben\s+der|偏心|ずれ|decentr|décal", re.IGNORECASE
+    r"exzentri|[eé]?xcentr|eccentr|\boff\b|offset|displaced|neben\s+der|偏心|ずれ|decentr|décal",
+    re.IGNORECASE,
 )
 """Words by which a short length is that of a centre of mass from the axis."""
 _TEX = (
@@ -203,7 +207,11 @@ class UnbalancesInUnits:
             if len(letters) != len(own) or any(scale is None for scale in scales.values()):
                 continue
             ratio = _ratio(kind, claim, letters, {s: v for s, v in scales.items() if v is not None})
-            if ratio is None or isclose(ratio * head, 1, rel_tol=EXACT) or isclose(ratio, 1, rel_tol=EXACT):
+            if (
+                ratio is None
+                or isclose(ratio * head, 1, rel_tol=EXACT)
+                or isclose(ratio, 1, rel_tol=EXACT)
+            ):
                 return None
             units = ", ".join(f"{plain_letter(n)} times {scales[s]:.4g}" for s, n in letters.items())
             reason = (
@@ -239,7 +247,9 @@ class UnbalancesInUnits:
         text = self.named.document.text[max(0, chain.start - REACH) : chain.end + 200]
         for match in re.finditer(rf"(?<![^\W_])(?<!\\){sign_of(letter)}", text):
             behind = _plain(text[match.end() : match.end() + 60]).lstrip(" )],")
-            link = re.match(r"(?:(?:is|are|given|measured|steht|ist|gemessen)\s+)*(?:in|en)\s+|\(|\[", behind)
+            link = re.match(
+                r"(?:(?:is|are|given|measured|steht|ist|gemessen)\s+)*(?:in|en)\s+|\(|\[", behind
+            )
             unit = _unit_in(f" {behind[link.end() :]}" if link else f" {behind}", size, at_start=True)
             if unit is not None:
                 return unit
@@ -255,15 +265,11 @@ def _product(kind: str, sizes: dict[str, float]) -> float:
     return total
 
 
-def _ratio(
-    kind: str, claim: Formula, letters: dict[str, str], scales: dict[str, float]
-) -> float | None:
+def _ratio(kind: str, claim: Formula, letters: dict[str, str], scales: dict[str, float]) -> float | None:
     """Return a claim over what it should be in SI units; None where that is no number."""
     ratios: list[float] = []
     for shift in range(2):
-        numbers = {
-            size: _SAMPLES[(k + shift) % len(_SAMPLES)] for k, size in enumerate(sorted(letters))
-        }
+        numbers = {size: _SAMPLES[(k + shift) % len(_SAMPLES)] for k, size in enumerate(sorted(letters))}
         point = {letters[size]: Fraction(number) for size, number in numbers.items()}
         truth = _product(kind, {size: number * scales[size] for size, number in numbers.items()})
         ratios.append(value_at(claim, point) / truth)

@@ -57,7 +57,9 @@ _FORCE_OF_ONE = (
 )
 """Words of what one cylinder does, and no whole engine."""
 _EACH = words(r"\beach|jede|1つ|それぞれ|各|chacun|ciascun|cada\s+un")
-_OF_SINGLE = words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|mono-?(?:cylindre|cylinder|cilin)")
+_OF_SINGLE = words(
+    r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|mono-?(?:cylindre|cylinder|cilin)"
+)
 _IN_POUNDS = (
     r"\bpounds?\b|\blbs?\b|\\[dt]?frac\s?\{?\s?[WG](?:_\w)?\s?\}?\s?\{?\s?g\b|\b[WG](?:_\w)?\s?/\s?g\b"
 )
@@ -208,7 +210,8 @@ BALANCE: tuple[Quantity, ...] = (
         ),
         unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)|\balong\b|in line with"
                      r"|in (?:hub|zylinder)richtung|fraction (?:that is )?(?:left|unbalanced)|restanteil"
-                     r"|second|zweite|2次|share left|remains unbalanced is|\bV\b|V-?twin|radial|balance shaft"
+                     r"|second|zweite|2次|share left|remains unbalanced is|\bV\b|V-?twin|radial"
+                     r"|balance shaft"
                      r"|ausgleichswelle|バランサ|行程方向|resultant|parallel"),
         stated=frozenset({"share"}),
     ),

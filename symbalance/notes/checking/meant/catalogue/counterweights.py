@@ -29,8 +29,8 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     reciprocating,
     rod,
     rotating,
-    sector,
     rotation,
+    sector,
     share,
     slender,
     turn_rate,
@@ -52,7 +52,8 @@ _WEIGHT = words(
     r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"counterpoise", r"gegengewichte?s?",
         r"ausgleichsgewichte?s?",
     r"contrepoids", r"contrapesos?", r"(?:釣り?合い|つりあい)(?:おもり|錘)", r"カウンタ(?:ー)?ウェイト",
-    r"unbalance\s+of\s+the\s+counterweight", r"おもり", r"contrappes[oi]", r"(?:crank\s+)?webs?", r"kurbelwangen?", r"ausgleich",
+    r"unbalance\s+of\s+the\s+counterweight", r"おもり", r"contrappes[oi]", r"(?:crank\s+)?webs?",
+    r"kurbelwangen?", r"ausgleich",
 )  # fmt: skip
 _HALF = words(
     r"\bhalf\s+(?:of\s+)?(?:the\s+)?(?:oscillating|reciprocating)", r"hälfte\s+der\s+(?:oszill|hin)",
@@ -73,8 +74,10 @@ _SHAFT = words(
     r"(?:unbalance|moment)\s+(?:of|for|on)\s+(?:each|one|every|a|the)\s+(?:balance[r]?\s+)?shafts?",
         r"each\s+(?:balance[r]?\s+)?shaft",
     r"balance[r]?\s+shafts?", r"(?:unwucht\s+)?je\s+(?:ausgleichs)?welle", r"ausgleichswellen?",
-    r"(?:chaque|ciascun\w*|cada)\s+(?:balance\s+)?(?:shaft|arbre|albero|eje|árbol)", r"jede\s+(?:ausgleichs)?welle",
-    r"各(?:バランサ)?軸", r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit",
+    r"(?:chaque|ciascun\w*|cada)\s+(?:balance\s+)?(?:shaft|arbre|albero|eje|árbol)",
+    r"jede\s+(?:ausgleichs)?welle",
+    r"各(?:バランサ)?軸", r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating",
+    r"gleichheit",
     r"軸[一1]本当たり",
         r"不釣り?合い量",
     r"ejes?\s+contrarrotantes?", r"lanchester\w*", r"ejes?\s+(?:de\s+)?equilibra\w+",
@@ -97,11 +100,15 @@ _OTHER_SHAFTS = (
     r"|einzige welle|both (?:shafts )?together|(?:one|per|each|a) weight|two weights"
 )
 _OTHER_SHAFTS += r"|total reciprocating|whole engine|all (?:the |four )?pistons|gesamte oszill"
-_SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono-?(?:cylindre|cylinder|cilíndrico|cilindric)")
+_SINGLE = words(
+    r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono-?(?:cylindre|cylinder|cilíndrico"
+    r"|cilindric)"
+)
 _ROTATING_ONLY = words(
     r"(?:balanced|counterweight\w*|balances)\s+(?:for\s+)?(?:only\s+)?(?:the\s+|its\s+)?rotating\s+(?:mass(?:es)?|parts)\s+only",
     r"(?:balanced|balances)\s+(?:for\s+)?only\s+(?:for\s+)?(?:the\s+|its\s+)?rotating",
-    r"(?:nur|allein)\s+(?:für\s+)?die\s+rotierende", r"回転質量(?:だけ|のみ)", r"seulement\s+(?:les|la)\s+rotating",
+    r"(?:nur|allein)\s+(?:für\s+)?die\s+rotierende", r"回転質量(?:だけ|のみ)",
+    r"seulement\s+(?:les|la)\s+rotating",
 )  # fmt: skip
 """Words by which a crank's counterweight takes up nothing of what goes to and fro."""
 _SECOND = (mass * pin * ratio, mass * pin**2 / rod, mass * pin / slender)
@@ -180,7 +187,8 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         is_told_once=True,
     ),
     Quantity(
-        "moment of each of two shafts beside a crank balanced for its rotating mass only", _MOMENT, _SHAFT,
+        "moment of each of two shafts beside a crank balanced for its rotating mass only", _MOMENT,
+        _SHAFT,
         (mass * pin / 2,), ("any", "bare factor", "power", "part"),
         only=both(_SINGLE, _ROTATING_ONLY),
         unless=words(_OTHER_SHAFTS, _FOUR.pattern, _TWICE.pattern), is_told_once=True,

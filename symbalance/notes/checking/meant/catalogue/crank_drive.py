@@ -83,13 +83,16 @@ _TILTS = (
     TAN_ROD * _HEIGHT, pin * SIN_BOTH / COS_ROD, pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
     *(pin * shape for shape in _EXACT_SHAPES),
 )  # fmt: skip
-_RADIAL = words(r"radial\s+(?:crank\s+)?(?:force|component|thrust)(?:\s+(?:at"
-        r"|on)\s+the\s+crank[- ]?pin)?", r"(?:radial|kurbelarm)kraft",
-              r"(?:component|part)\s+along\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin"
-              r"|shaft|case))",
-              r"(?:komponente|anteil|kraft)\s+(?:längs|entlang|in\s+richtung)\s+de[rs]\s+"
-              r"kurbel(?:arms?|wange|kröpfung|radius)?(?![a-zäöü])",
-              r"(?:半径|法線)(?:方向の?)?(?:力|分力|成分)")
+_RADIAL = words(
+    r"radial\s+(?:crank\s+)?(?:force|component|thrust)(?:\s+(?:at"
+    r"|on)\s+the\s+crank[- ]?pin)?",
+    r"(?:radial|kurbelarm)kraft",
+    r"(?:component|part)\s+along\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin"
+    r"|shaft|case))",
+    r"(?:komponente|anteil|kraft)\s+(?:längs|entlang|in\s+richtung)\s+de[rs]\s+"
+    r"kurbel(?:arms?|wange|kröpfung|radius)?(?![a-zäöü])",
+    r"(?:半径|法線)(?:方向の?)?(?:力|分力|成分)",
+)
 _RADIAL_PARTS = (
     piston_force * COS_BOTH / COS_ROD, any_force * COS_BOTH / COS_ROD, rod_force * COS_BOTH,
     any_force * (COS_CRANK - SIN_CRANK * TAN_ROD), piston_force * (COS_CRANK - SIN_CRANK * TAN_ROD),
@@ -476,7 +479,13 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          omega * COS_CRANK / (slenderness * COS_ROD), -omega * COS_CRANK / (slenderness * COS_ROD),
          pin * omega * COS_CRANK / root(rod**2 - pin**2 * SIN_CRANK**2),
          pin * omega * COS_CRANK / (rod * COS_ROD), -pin * omega * COS_CRANK / (rod * COS_ROD)),
-        ("any", "edit", "bare factor", "power"), approximate=(omega * COS_CRANK / slenderness, ratio * omega * COS_CRANK, -ratio * omega * COS_CRANK), turns=True,
+        ("any", "edit", "bare factor", "power"),
+        approximate=(
+            omega * COS_CRANK / slenderness,
+            ratio * omega * COS_CRANK,
+            -ratio * omega * COS_CRANK,
+        ),
+        turns=True,
         only=_ENGINE, is_told_once=True,
         unless=words(_OFFSET, r"articulated|neben"),
     ),
@@ -493,7 +502,13 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / root(1 - ratio**2 * SIN_CRANK**2) ** 3,
          -ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / COS_ROD**3,
          ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / COS_ROD**3),
-        ("any", "edit", "bare factor", "power"), approximate=(omega**2 * SIN_CRANK / slenderness, -(omega**2) * SIN_CRANK / slenderness, -ratio * omega**2 * SIN_CRANK, ratio * omega**2 * SIN_CRANK),
+        ("any", "edit", "bare factor", "power"),
+        approximate=(
+            omega**2 * SIN_CRANK / slenderness,
+            -(omega**2) * SIN_CRANK / slenderness,
+            -ratio * omega**2 * SIN_CRANK,
+            ratio * omega**2 * SIN_CRANK,
+        ),
         turns=True, unless=words(_OFFSET, r"articulated|neben"),
     ),
 )  # fmt: skip

@@ -212,7 +212,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "moment of inertia of the two masses that replace a rod", letters("J I Theta"),
-        words(r"(?:two[- ]mass(?:\s+(?:model|system|substitute|equivalent))?|(?:the\s+)?two\s+masses)[^.;=]{0,20}?"
+        words(r"(?:two[- ]mass(?:\s+(?:model|system|substitute|equivalent))?"
+        r"|(?:the\s+)?two\s+masses)[^.;=]{0,20}?"
               r"\s(?:has|have|with)\s+(?:the|a)\s+moment\s+of\s+inertia",
               r"moment\s+of\s+inertia\s+of\s+the\s+(?:two\s+(?:point\s+)?masses|two[- ]mass\s+\w+)",
               r"zweimassen\w*[^.;=]{0,20}?\s(?:hat|mit)[^.;=]{0,20}?trägheitsmoment",

@@ -126,13 +126,15 @@ ENGINE_RATES: tuple[Quantity, ...] = (
     Quantity(
         "firings per turn of a four-stroke engine", _PER_TURN_LETTERS, _PER_TURN, (cylinders / 2,),
         ("any", "factor"),
-        only=_FOUR, unless=words(_TWO.pattern, r"per\s+two\s+(?:turns|revolutions)|(?:je|pro)\s+zwei\s+umdrehungen|bank"),
+        only=_FOUR, unless=words(_TWO.pattern, r"per\s+two\s+(?:turns|revolutions)|(?:je"
+        r"|pro)\s+zwei\s+umdrehungen|bank"),
         is_told_once=True,
     ),
     Quantity(
         "firings per turn of a two-stroke engine", _PER_TURN_LETTERS, _PER_TURN, (cylinders,),
         ("any", "bare factor"),
-        only=_TWO, unless=words(_FOUR.pattern, r"per\s+two\s+(?:turns|revolutions)|(?:je|pro)\s+zwei\s+umdrehungen|bank"),
+        only=_TWO, unless=words(_FOUR.pattern, r"per\s+two\s+(?:turns|revolutions)|(?:je"
+        r"|pro)\s+zwei\s+umdrehungen|bank"),
         is_told_once=True,
     ),
     Quantity(

@@ -87,7 +87,8 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "angular velocity at which a wheel leaves the rail", letters("omega Omega w"),
-        words(_LIFTS + r"(?:[^.;=]{1,50}?(?:angular\s+(?:velocity|speed)|winkelgeschwindigkeit|角速度)[^.;=]{0,14})?"),
+        words(_LIFTS + r"(?:[^.;=]{1,50}?(?:angular\s+(?:velocity|speed)|winkelgeschwindigkeit"
+        r"|角速度)[^.;=]{0,14})?"),
         (root(wheel_load / (balance_mass * arm_of_weight)),), ("any", "root", "power", "bare factor"),
         mistakes=(wheel_load / (balance_mass * arm_of_weight),),
         only=words(r"rail|schiene|レール|wheel|\brad\b|車輪"),

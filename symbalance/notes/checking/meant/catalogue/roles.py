@@ -176,7 +176,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
-    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|(?:axial )?force (?:total "
+    ("piston_force", "F P Q K",
+    r"(?:piston|gas)\s+(?:force|load|effort|thrust)|(?:axial )?force (?:total "
     r"|resultant |acting |axial )?(?:up)?on the (?:piston|gudgeon pin|wrist ?pin)"
      r"|force along the (?:axis of the cylinder|cylinder(?:'s)? axis|line of stroke)"
      r"|ピストンに(?:働く|作用する|かかる)?(?:軸方向の?)?力"
@@ -305,7 +306,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
             r"(?:outer|outside|external)(?: radius)?|(?:radius |\be |\bet |\by )(?:exterior"
             r"|extérieur|externo|esterno)|außen(?:radius)?|外半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
-    ("turn_rate", "n N f", r"rotational speed|engine speed|crank ?shaft speed|rev/(?:min|s)\b|\b1/min|revolutions|\brpm|drehzahl|回転数"
+    ("turn_rate", "n N f", r"rotational speed|engine speed|crank ?shaft speed|rev/(?:min|s)\b"
+    r"|\b1/min|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
     ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|(?:radius |\be |\bet "
                             r"|\by )(?:interior|intérieur|interno)|innen(?:radius)?|内半径"
@@ -324,7 +326,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|(?:semi-?angolo|metà dell['’]angolo)(?: (?:della V|(?:tra|fra) i cilindri|di apertura))?"
      r"|(?:semi-?ángulo|mitad del ángulo)(?: (?:de la V|entre (?:los )?cilindros|de apertura))?"),
     ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
-    ("wheel_load", "P W Q N G F", r"loads?|charge|carga|carico|dead weight|weight|force|radlast|last|kraft|荷重"),
+    ("wheel_load", "P W Q N G F",
+    r"loads?|charge|carga|carico|dead weight|weight|force|radlast|last|kraft|荷重"),
     ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),
     ("base_force", "F P K f", r"force|amplitude|kraft|力", "0 o 1 I i c m rec"),
     ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole"
