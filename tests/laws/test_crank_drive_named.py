@@ -104,7 +104,7 @@ def test_any_other_formula_of_its_letters_is_wrong(opening, wrong):
 )
 def test_one_cylinder_s_order_is_not_that_of_four(formula):
     page = (
-        "In an in-line four the cranks stand at 0°, 180°, 180°, 0°. Every piston has the reciprocating mass"
+        "In an in-line four the cranks stand at 0°, 180°, 180°, 0°. Every piston has the oscillating mass"
         f" $m$, and $\\lambda = r/l$. The secondary forces add up to ${formula}$.\n"
     )
     assert last_word(page) not in PROVED_WORDS
