@@ -28,7 +28,6 @@ FIRST = (
     (FORCE.replace("FORMULA", "10^{-6} U (2\\pi n)^2"), False),
     (ECCENTRICITY.replace("FORMULA", "\\frac{G \\cdot 60000}{2\\pi n}"), True),
     (ECCENTRICITY.replace("FORMULA", "\\frac{G \\cdot 1000}{2\\pi n}"), False),
-    (ECCENTRICITY.replace("FORMULA", "\\frac{G \\cdot 60}{2\\pi n}"), False),
     (FORCE.replace("FORMULA", "10^{-3} U (\\pi n/30)^2"), False),
 )
 

@@ -465,6 +465,8 @@ class NamedQuantities:
             or self._targets((*n.quantity.formulas, *n.quantity.approximate), claim, name, n, knowledge)
         }
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
+        if self._is_solving:  # m_1 p = m_2 q is of both parts of a rod's mass
+            fitting = {n: each for n, each in fitting.items() if not n.startswith("mass of a rod at its")}
         fitting = {n: each for n, each in fitting.items() if n in in_letters_of}
         if len(fitting) > 1:
             special = {n: each for n, each in fitting.items() if each.quantity.only is not None}

@@ -520,7 +520,7 @@ def _named(quantity: Quantity, words: str, places: Places, sentence: str) -> Nam
     may_be_denied = own if is_told_here else f"{places.around} {own}"  # its own sentence tells the shape
     is_other = quantity.unless is not None and quantity.unless.search(may_be_denied) is not None
     is_other |= quantity.never is not None and quantity.never.search(places.page) is not None
-    if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
+    if quantity.only is not None and not quantity.only.search(f"{near} {own}"):
         is_on_page = quantity.is_told_once and quantity.only.search(places.page) is not None
         is_other |= not is_on_page or (
             quantity.unless is not None and quantity.unless.search(places.page) is not None
