@@ -327,7 +327,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|(?:semi-?ángulo|mitad del ángulo)(?: (?:de la V|entre (?:los )?cilindros|de apertura))?"),
     ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
     ("wheel_load", "P W Q N G F",
-    r"loads?|charge statique|carga estática|carico statico|dead weight|weight|force|radlast|last|kraft|荷重"),
+    r"loads?|charge statique|carga estática|carico statico|dead weight|weight|force|radlast|last"
+    r"|kraft|荷重"),
     ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),
     ("base_force", "F P K f", r"force|amplitude|kraft|力", "0 o 1 I i c m rec"),
     ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole"
