@@ -153,6 +153,12 @@ LOCOMOTIVES = {
         (SIZES, abs(M * R * W**2 * (mp.cos(T) - mpf(3) / 5 * mp.expj(T)))),
         (SIZES, abs(M * R * W**2 * (mp.cos(T) - mpf(1) / 2 * mp.expj(T)))),
     ],
+    "resultant that the balance of a share leaves, by the angle from the line of stroke": [
+        (SIZES, abs(M * R * W**2 * (mp.cos(T) - mpf(3) / 5 * mp.expj(T))))
+    ],
+    "amplitude of the force that a counterweight leaves across the cylinder": [
+        (SIZES, largest((-ASIDE * mp.expj(2 * mp.pi * k / 360)).imag for k in range(360)))
+    ],
     "balance factor that makes two forces equal": [
         (SIZES, mp.findroot(lambda b: abs(1 + LAMBDA - b) - b, 0.5)),
     ],
@@ -242,7 +248,8 @@ STAR_WEIGHT = abs(sum(first(T, 2 * mp.pi * k / 5) for k in range(5))) / W**2
 PERIODS = [t for t in TURN if abs(second(t, 0)) > abs(second(0, 0)) * (1 - mpf(10) ** -9)]
 FAST_SPEED = mpf(120) * len(PERIODS) / 2  # two extremes a turn of the shaft
 UNBALANCE = {"mass": F(7, 2), "eccentricity": F(1, 100), "omega": F(50), "pitch": PITCH,
-             "unbalance": F(35, 1000), "grade": F(1, 2)}  # fmt: skip
+             "unbalance": F(35, 1000), "grade": F(1, 2), "rotation": exact(mpf(50) / (2 * mp.pi)),
+             "turn_rate": exact(mpf(50) / (2 * mp.pi))}  # fmt: skip
 
 COUNTERWEIGHTS = {
     "moment of a counterweight": [
@@ -259,6 +266,9 @@ COUNTERWEIGHTS = {
         (SIZES, FOUR / 4 / (2 * (2 * W) ** 2))
     ],
     "moment of each of two shafts against the first order of a single cylinder": [
+        (SIZES, abs(first(0, 0)) / (2 * W**2))
+    ],
+    "moment of each of two shafts beside a crank balanced for its rotating mass only": [
         (SIZES, abs(first(0, 0)) / (2 * W**2))
     ],
     "force of two counter-rotating shafts at twice the crank's speed": [

@@ -295,6 +295,7 @@ CRANK_DRIVE = {
     "force in the connecting rod": [(DRIVE, PUSH), (DRIVE, P / abs(mp.cos(mp.asin(R / L))))],
     "tangential force at the crank pin": [(DRIVE, TURNING_FORCE)],
     "radial force at the crank pin": [(DRIVE, INWARD), (DRIVE, -INWARD)],
+    "radial force at the crank pin, positive inwards": [(DRIVE, -INWARD)],
     "torque of a crank": [(DRIVE, VIRTUAL)],
     "ratio of the crank to the rod": [
         ({**DRIVE, "stroke": exact(place(0) - place(mp.pi))}, mp.sin(mp.asin(R / L)))
@@ -406,6 +407,7 @@ BALANCE = {
     ],
     "unbalance": [(WHEEL, mpf(0.03))],
     "centrifugal force of an unbalance": [(WHEEL, 0.03 * W**2)],
+    "whole centrifugal force of a rotor on its bearings": [(WHEEL, 0.03 * W**2)],
     "resultant first-order force of a radial engine": [(WHEEL, star(5, 2 * mp.pi / 5, 0.4))],
     "resultant first-order force of a V-twin at 90°": [(WHEEL, star(2, mp.pi / 2, 0.4))],
 }  # fmt: skip

@@ -99,6 +99,7 @@ def mean_tangential(turns):
 ENGINE = {"cylinders": F(6), "rotation": F(40), "pressure": F(8)}
 EXCESS = mp.quad(lambda a: 300 * mp.sin(a), [0, mp.pi])
 
+
 CRANK_TORQUE = {
     "load on the crank pin": [
         (PUSHED, abs(mp.mpc(30, 50 - 10))),
@@ -112,6 +113,16 @@ CRANK_TORQUE = {
     ],
     "inertia torque of one cylinder": [(LONG, inertia_torque())],
     "distance of the piston pin from the crank's axis": [(DRIVE, height(T))],
+    "distance of the piston from its top dead centre at a right angle of the crank": [
+        (DRIVE, height(0) - height(mp.pi / 2))
+    ],
+    "moment of inertia of the two masses that replace a rod": [(ENDS, MASSES)],
+    "reciprocating mass of a piston and the share of its rod": [
+        ({**ENDS, "rod_mass": ENDS["mass"], "piston_mass": F(1, 2)}, SMALL_END + mpf(1) / 2)
+    ],
+    "rotating mass of a crank and the share of its rod": [
+        ({**ENDS, "rod_mass": ENDS["mass"], "crank_mass": F(1, 2)}, BIG_END + mpf(1) / 2)
+    ],
     "mass of a rod at its small end": [(ENDS, SMALL_END)],
     "mass of a rod at its big end": [(ENDS, BIG_END)],
     "reciprocating mass with a third of the rod": [(THIRDS, mpf(0.5) + UPPER[0])],

@@ -690,6 +690,7 @@ def _as_meant(
         outcome = outcome or decide_parallel_axes(chain, k, state.document)
         outcome = outcome or state.named.judge(chain, k, knowledge)
         outcome = outcome or state.named_numbers.judge(chain, k, knowledge)
+        outcome = outcome or state.unbalances.judge(chain, k, knowledge)
         outcome = outcome or state.harmonics.judge(chain, k, knowledge)
         outcome = outcome or decide_two_discs(chain, k, state.document)
         outcome = outcome or decide_order_speed(chain, k, state.document, knowledge)

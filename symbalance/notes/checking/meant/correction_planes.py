@@ -24,10 +24,10 @@ _PLACE = r"(?P<place>left|right|linken|rechten|II|I|A|B|1|2|L|R)(?![A-Za-z0-9])"
 _LETTER = r"(?<![A-Za-z_\\])(?P<letter>[a-zA-Z])(?:_\{?(?P<index>[A-Za-z0-9]{1,3})\}?)?"
 _WHICH = (
     r"(?:the\s+|der\s+|dem\s+)?(?:correction\s+|balancing\s+|ausgleichs)?(?:plane\s+|bearing\s+"
-    r"|ebene\s+|lager\s+)?"
+    r"|ebene\s+|lager\s+|plan\s+|piano\s+|plano\s+|palier\s+|cuscinetto\s+|cojinete\s+)?"
 )
 _FROM = (
-    re.compile(rf"{_LETTER}\s+(?:from|von)\s+{_WHICH}{_PLACE}", re.IGNORECASE),
+    re.compile(rf"{_LETTER}\s+(?:from|von|du|dal|del|de)\s+{_WHICH}{_PLACE}", re.IGNORECASE),
     re.compile(
         rf"(?:from|von)\s+{_WHICH}{_PLACE}(?:\s+(?:plane|bearing|ebene))?\s+(?:is|be|ist"
         rf"|by)\s+{_LETTER}(?![A-Za-z])",
@@ -46,7 +46,11 @@ _BOTH = re.compile(
     r"|der\s+)?(?:right|rechten|B|2|II)(?![A-Za-z])",
     re.IGNORECASE,
 )
-_PLANES = re.compile(r"\bplanes?\b|ebenen?\b|bearings?\b|lagern?\b|面|軸受", re.IGNORECASE)
+_PLANES = re.compile(
+    r"\bplanes?\b|ebenen?\b|bearings?\b|lagern?\b|面|軸受|\bplans\b|\bpiani\b|\bplanos\b|paliers|cuscinetti|cojinetes",
+    re.IGNORECASE,
+)
+_PAIR = 2
 _OUTSIDE = re.compile(r"overhung|overhang|outside|fliegend|außerhalb|外側|片持", re.IGNORECASE)
 
 
@@ -83,14 +87,20 @@ class CorrectionPlanes:
 
         They are written in the letters of a claim; None where it is of anything else.
         """
-        side = _side_of(name.partition("_")[2])
+        indices = {part.partition("_")[2] for part in name.split()}
+        side = _side_of(indices.pop()) if len(indices) == 1 else None
         if side is None or self.distances is None or not names(claim) & {*self.distances}:
             return None
         far, near = Name(self.distances[1 - side]), Name(self.distances[side])
-        for whole in sorted(names(claim) - {far.name, near.name}):
+        others = sorted(names(claim) - {far.name, near.name})
+        wholes: list[Formula] = [Name(whole) for whole in others]
+        of_product = [n for n in others if n not in ("l", "L")]
+        if len(of_product) == _PAIR and " " in name:  # m_A r_A is a share of m r
+            wholes.append(Product(tuple(Name(n) for n in of_product)))
+        for whole in wholes:
             for length in (Sum((near, far)), *(Name(n) for n in sorted(names(claim)) if n in ("l", "L"))):
-                right = Quotient(Product((Name(whole), far)), length)
-                for wrong in _not_shares(Name(whole), far, near, length):
+                right = Quotient(Product((whole, far)), length)
+                for wrong in _not_shares(whole, far, near, length):
                     if agrees(right, claim) or agrees(wrong, claim):
                         return right, wrong
         return None

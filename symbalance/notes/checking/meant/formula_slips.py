@@ -103,9 +103,8 @@ def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part
     }
     if any(agrees(each, claim) for each in with_one_part_changed(target, _powers_otherwise)):
         return "powers of a sum"
-    for kind, (allowed, test) in changes.items():
-        if allowed in slips and test():
-            return kind
+    if changed := next((k for k, (allowed, test) in changes.items() if allowed in slips and test()), ""):
+        return changed
     if not is_finite:
         return "term" if "term" in slips else ""  # σ² - 3 τ² below a root
     letters = sorted(names(claim))
@@ -118,7 +117,9 @@ def slip_of(target: Formula, claim: Formula, slips: tuple[str, ...], may_be_part
     for kind, (allowed, test) in tests.items():
         if allowed in slips and test():
             return kind
-    return next((kind for kind in ("term", "power of a term") if kind in slips), "")
+    is_another = "any" in slips and is_finite and not agrees(Negative(target), claim)
+    loose = ("another formula",) if is_another else ("term", "power of a term")
+    return next((kind for kind in loose if is_another or kind in slips), "")
 
 
 def _is_finite(ratios: tuple[float, ...]) -> bool:
@@ -132,7 +133,8 @@ def _slip_by_factor(target: Formula, ratio: float, slips: tuple[str, ...], may_b
     if "turn" in slips and any(isclose(ratio, (2 * pi) ** n, rel_tol=_EXACT) for n in (1, -1, 2, -2)):
         return "factor 2π"
     is_told = "bare factor" in slips or ("factor" in slips and _has_number(target))
-    return "factor" if is_told and not may_be_part and _is_slip_factor(ratio) else ""
+    is_slip = _is_slip_factor(ratio) or ("any" in slips and _is_slip_factor(ratio**2))
+    return "factor" if is_told and not may_be_part and is_slip else ""
 
 
 def _inverse_root(radicand: Formula) -> Formula:

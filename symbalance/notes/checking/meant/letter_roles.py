@@ -40,6 +40,7 @@ LONGEST_NAME = 48
 """Characters of the words before a letter that may name it."""
 _GOES_ON = re.compile(r"\}?\s*(?:[A-Za-z0-9(+*/·^-]|\\(?:[a-z]+))(?<!\\approx)(?<!\\in)(?<!\\to)")
 _ANGULAR = frozenset({"omega", "Omega"})
+_ANGULAR_ROLES = frozenset({"omega", "omega_high", "omega_low"})
 _TAGS = re.compile(r"<[^>]*>|\\(?:mathrm|text|it|rm|bf)\b|[${}()\\*_`|\[\]~]")
 _LINKS = re.compile(
     r"(?:\s|,|:|=|\bof\b|\bthe\b|\bis\b|(?-i:\ba\b)|\bby\b|\bvon\b|\bist\b|\bder\b|\bdie\b|\bdes\b|\bmit\b"
@@ -65,8 +66,9 @@ _APART = re.compile(r"\s*(?:apart|auseinander)\b")
 """Behind a letter, and before it: write β for the balance factor, λ for the crank ratio."""
 """What a letter is said to be behind it: d is the distance of the supports."""
 _FROM_END = (
-    r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?)\s+(?:the\s+|de[rmn]\s+)?(?:{})(?![A-Za-z])"
-    r"|(?:{})から)"
+    r"(?:(?:from|to|vom?|von\s+de[rmn]|bis\s+zu[mr]?|de\s+la|du|de\s+l['’]|dalla?|del(?:la)?)\s+"
+    r"(?:the\s+|de[rmn]\s+)?(?:cent(?:re|er)\s+of\s+(?:the\s+)?)?(?:{})(?![A-Za-z])"
+    r"|(?:{})(?:の?中心|側)?から)"
 )
 _FIRST_OF_TWO = re.compile(
     r"((?:between (?:the )?|zwischen den )(?:radii|diameters|radien|halbmessern|durchmessern))"
@@ -95,6 +97,28 @@ ROD_ENDS = {
         r"小端部?|ピストンピン",
     ),
 }
+_CENTROID = re.compile(
+    r"schwerpunkt|cent(?:re|er) (?:of|de) (?:gravity|mass|gravité|masse)|centroid|重心|baricentro"
+    r"|centro de (?:gravedad|masas?|gravidade)|\bC\.?\s?G\b",
+    re.IGNORECASE,
+)
+"""The point whose distance from an end of a rod says how its mass is shared."""
+_DISTANCE = re.compile(r"(?:distance|abstand|distanza|distancia)\s*$", re.IGNORECASE)
+_TURNS_DECLARED = re.compile(r"\brpm\b|rev/|\br/min|U/min|1/min|min\^?\{?-1|min⁻¹|tr/min|giri/min")
+"""In a declaration, the unit of a speed that counts turns: no angular speed has it."""
+_CRANK, _ROD = r"(?:crank|kurbel|クランク)", r"(?:\brod|pleuel|stange|連接棒|コンロッド|連桿)"
+_OVER = (
+    r"[\w\s]{0,24}?(?:\b(?:over|to|by|zu[mr]?|durch|à|sur|sobre|su|a|e|et|y|entre)\b|[/÷:と])"
+    r"[\w\s]{0,24}?"
+)
+_CRANK_OVER_ROD = re.compile(
+    rf"(?<![^\W\d_])r\s?/\s?(?:l|ell|L)(?![^\W\d_])|{_CRANK}{_OVER}{_ROD}", re.IGNORECASE
+)
+_ROD_OVER_CRANK = re.compile(
+    rf"(?<![^\W\d_])(?:l|ell|L)\s?/\s?r(?![^\W\d_])|{_ROD}{_OVER}{_CRANK}", re.IGNORECASE
+)
+_QUOTIENT = re.compile(r"ratio|verhältnis|比|rapport|relación|rapporto|divided|geteilt|\bover\b|/")
+"""A declaration of the crank radius over the rod's length, or of the rod's length over the radius."""
 _END_BEHIND = {
     role: re.compile(rf"[^.;,、。\n]{{0,24}}?{words}", re.IGNORECASE) for role, words in ROD_ENDS.items()
 }
@@ -176,10 +200,8 @@ class LetterRoles:
     def may_be(self, letter: str, role: str, meanings: Mapping[str, str]) -> bool:
         """Tell whether a letter may play a role: by its meaning, the words before it, or as is usual."""
         declared = meanings.get(letter, "")
-        if declared and (roles := _roles_in(declared)):
-            return role in roles or _is_whole_size(roles, role)
-        if declared and not UNITS_ONLY.fullmatch(declared):
-            return False
+        if declared and (by_words := _may_be_declared(declared, role)) is not None:
+            return by_words
         roles, is_other = self._roles_named(letter)
         if self.taken.get(letter) == role:
             return True
@@ -217,6 +239,8 @@ class LetterRoles:
             before = _TAGS.sub("", self.text[max(0, match.start() - 90) : match.start()])
             if before.rstrip(" ").endswith(("-", "+", "/", "·", "−")):
                 continue  # b = l - a from the small end
+            if _DISTANCE.search(before):
+                behind = behind.replace(" of the ", " from the ")  # at the distance d of the big end
             own = {role for role, words in _END_BEHIND.items() if words.match(behind)}
             ends |= own or {role for role, words in _END_BEFORE.items() if words.search(before)}
         return ends.pop() if len(ends) == 1 else ""
@@ -390,6 +414,38 @@ def sign_of(letter: str) -> str:
     signs = {stem, plain_letter(stem), "\\" + stem}
     tail = rf"_?\{{?{re.escape(index)}\}}?" if index else r"(?!_)"
     return rf"(?:{'|'.join(map(re.escape, sorted(signs)))}){tail}(?![^\W\d_])"
+
+
+def _may_be_declared(declared: str, role: str) -> bool | None:
+    """Tell whether a declaration lets a letter play a role; None where it says nothing of what it is."""
+    if told := _told_roles(declared):
+        return role in told
+    if role in _ANGULAR_ROLES and _TURNS_DECLARED.search(declared):
+        return False
+    if roles := _roles_in(declared):
+        return role in roles or _is_whole_size(roles, role)
+    return None if UNITS_ONLY.fullmatch(declared) else False
+
+
+@cache
+def _told_roles(meaning: str) -> frozenset[str]:
+    """Return the only roles that a declaration lets a letter have, where it says them in full.
+
+    >>> sorted(_told_roles("r/l [-]")), sorted(_told_roles("rod length over crank radius"))
+    (['ratio'], ['slender', 'slenderness'])
+    >>> sorted(_told_roles("distance of the centre of gravity from the big end"))
+    ['to_big']
+    """
+    ends = {role for role, words in ROD_ENDS.items() if re.search(words, meaning, re.IGNORECASE)}
+    if len(ends) == 1 and _CENTROID.search(meaning):
+        return frozenset(ends)
+    if not _QUOTIENT.search(meaning.casefold()):
+        return frozenset()
+    is_of_crank = _CRANK_OVER_ROD.search(meaning) is not None
+    is_of_rod = _ROD_OVER_CRANK.search(meaning) is not None
+    if is_of_crank == is_of_rod:
+        return frozenset()
+    return frozenset({"ratio"} if is_of_crank else {"slender", "slenderness"})
 
 
 @cache

@@ -96,9 +96,12 @@ def _word_pattern(role: str) -> re.Pattern[str]:
 
 _PATTERNS = {role: _word_pattern(role) for role in _KIND_OF if role not in ("rotation", "omega")}
 _ALONE = {
-    role: _pattern(_KIND_OF[role], "{number}") for role in ("volume", "pressure", "torque", "power")
+    role: _pattern(_KIND_OF[role], "{number}")
+    for role in ("volume", "pressure", "torque", "power", "mass")
 }
 """Sizes whose unit says enough, where no words name them: 2.3 l."""
+_LONG = _pattern("length", r"{number}\s+(?i:long\b|lang\b|de\s+long\b)")
+"""A connecting rod is 200 mm long."""
 _SPEEDS = _pattern("speed", "{number}")
 _ANGULAR = _pattern("angular", "{number}")
 
@@ -114,13 +117,15 @@ class NamedNumbers:
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         is_plain = k == 0 and isinstance(left, Name) and chain.relations[0].sign in "=≈"
         numbers = [part.value for part in walk(right) if isinstance(part, Number)]
-        if not is_plain or not isinstance(left, Name) or names(right) or len(numbers) < 2:
+        if not is_plain or not isinstance(left, Name) or names(right) or not numbers:
             return None
         value = number_in_example(right, knowledge)
         candidates = [
             each for each in self.named.words.named(left.name, chain, knowledge) if each.may_refute
         ]
         candidates = candidates or self._by_unit(left.name, chain)
+        if len(numbers) == 1:  # eight firings per turn of eight cylinders
+            candidates = [each for each in candidates if _is_of_count(each)]
         if value is None or not candidates:
             return None
         return self._refuted(chain, left.name, candidates, float(value), numbers, knowledge)
@@ -239,12 +244,16 @@ class NamedNumbers:
             role: list(_numbers(pattern, text, _KIND_OF[role])) for role, pattern in _PATTERNS.items()
         }
         several["rotation"] = list(_numbers(_SPEEDS, text, "speed"))
+        several["rod"] = several["rod"] or list(_numbers(_LONG, text, "length"))
         for role, pattern in _ALONE.items():
             several[role] = several[role] or list(_numbers(pattern, text, _KIND_OF[role]))
         several["omega"] = list(_numbers(_ANGULAR, text, "angular"))
         several["omega"] = several["omega"] or [2 * pi * each for each in several["rotation"]]
         counts = [count for match in ENGINE.finditer(text) if (count := engine_of(match)) is not None]
         several["cylinders"] = [float(count) for count, _ in counts if count > 1]
+        stated = self.named.stated.numbers.get("cylinders")
+        if stated is not None and not several["cylinders"]:
+            several["cylinders"] = [float(stated)]
         for letter, definition in knowledge.definitions.items():
             if not definition.numeric or definition.line > chain.lines[0]:
                 continue
@@ -261,6 +270,11 @@ class NamedNumbers:
             if own and all(isclose(n, own[0], rel_tol=SAME) for n in own):
                 single[role] = own[0]
         return single
+
+
+def _is_of_count(named: Named) -> bool:
+    """Tell whether a quantity is known by the number of cylinders alone."""
+    return all(names(node) == {"cylinders"} for node in named.quantity.formulas)
 
 
 def _numbers(pattern: re.Pattern[str], text: str, kind: str) -> Iterator[float]:

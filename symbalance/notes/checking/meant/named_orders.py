@@ -142,6 +142,9 @@ _OF_ONE = re.compile(
     r"\b(?:per|each|one|single)\b|\bje\b|\bpro\b|einzel|eines\s+zylinders|1\s?気筒|各|単気筒|一つ",
     re.IGNORECASE,
 )
+_SINGLE = re.compile(
+    r"single[\s-]cylinder|one[\s-]cylinder|einzylinder|monocyl|monocil|単気筒|一気筒", re.IGNORECASE
+)
 _OF_HALVES = re.compile(
     r"\b(?:direct|reverse|forward|backward|co-?rotating|counter-?rotating)\b|gegenlauf|mitlauf|逆回転",
     re.IGNORECASE,
@@ -231,6 +234,16 @@ class NamedOrders:
     def _speaks_of_banks(self) -> bool:
         """Tell whether the page speaks of cylinders in banks, whose forces do not simply add up."""
         return _BANKS.search(self.meant.words.page) is not None
+
+    @cached_property
+    def _names_several(self) -> bool:
+        """Tell whether the page names an engine of several cylinders and none of one."""
+        sizes = {engine.cylinders for engine in EnginesInWords(self.meant.words.page).mentions}
+        return (
+            any(size > 1 for size in sizes)
+            and 1 not in sizes
+            and not _SINGLE.search(self.meant.words.page)
+        )
 
     def judge(
         self,
@@ -485,7 +498,8 @@ class NamedOrders:
         factors: list[tuple[Fraction, tuple[str, ...]]] = []
         if not order.is_of_engine and not order.is_coefficient and _is_of_several(order.words):
             return
-        is_unknown = angles is None and not self._speaks_of_banks and not order.is_of_several
+        names_several = order.is_of_several or self._names_several
+        is_unknown = angles is None and not self._speaks_of_banks and not names_several
         if not order.is_of_engine or is_unknown:
             factors.append((Fraction(1), ()))
         if order.is_coefficient and not order.is_of_acceleration:

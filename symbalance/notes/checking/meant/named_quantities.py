@@ -201,7 +201,7 @@ _WITHOUT_UNIT = (
     "crank_angle", "turned_angle",
 )  # fmt: skip
 """Roles of numbers that have no unit."""
-_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "atan", "ln")
+_FUNCTIONS = ("sqrt", "sin", "cos", "tan", "cot", "atan", "ln")
 
 
 @dataclass
@@ -304,7 +304,7 @@ class NamedQuantities:
         right = with_exact_halves(right, self.stated.numbers.values())
         own = names(right)
         if _has_arm_of_another(name, own):
-            return None
+            return self._with_arms_exchanged(chain, name, right, knowledge)
         if not name or not 1 <= len(own) <= MOST_LETTERS or names(left) & own:
             return None
         if any(_is_of_no_formula(part, own) for part in walk(right)):
@@ -314,6 +314,30 @@ class NamedQuantities:
         except OverBudgetError as problem:
             reason = f"whether its words name a standard formula was not decided within {problem.spent}"
             return Decision(DEFINITION, reason)
+
+    def _with_arms_exchanged(
+        self, chain: Chain, name: str, claim: Formula, knowledge: Knowledge
+    ) -> Verdict | None:
+        """Return that a moment is right but for its arms: m_b r = (m_r + c m) r_b, each mass's other one.
+
+        Only that of a counterweight: words name what it does, and r_b is no crank radius.
+        """
+        mass, arm = name.split()
+        if index_of(arm):
+            return None
+        others = [n for n in names(claim) if stem_of(n) == stem_of(arm) and index_of(n) == index_of(mass)]
+        if len(others) != 1 or arm in names(claim):
+            return None
+        exchanged = substitute(claim, others[0], Name(arm))
+        left = Product((Name(mass), Name(others[0])))
+        sides = (Side((left,), chain.sides[0].span), Side((exchanged,), chain.sides[1].span))
+        swapped = replace(chain, sides=(*sides, *chain.sides[2:]))
+        outcome = self._judge_both(swapped, f"{mass} {others[0]}", exchanged, knowledge)
+        text = next(iter(outcome.assumptions), "") if isinstance(outcome, Decision) else ""
+        if not isinstance(outcome, Decision) or not outcome.is_proved or "counterweight" not in text:
+            return None
+        reason = f"the arms are exchanged: {plain_letter(others[0])} goes with {plain_letter(mass)}"
+        return describe(self.document, chain, 0, Decision(REFUTED, f"if {text}; {reason}"))
 
     def _solved(self, chain: Chain, knowledge: Knowledge) -> Verdict | Decision | None:
         """Return the verdict on a relation that gives one of several letters a value, i n = 60 f.
@@ -442,6 +466,8 @@ class NamedQuantities:
             or self._targets((*n.quantity.formulas, *n.quantity.approximate), claim, name, n, knowledge)
         }
         fitting = {n.quantity.name: n for n in candidates if n.may_refute}
+        if self._is_solving:  # m_1 p = m_2 q is of both parts of a rod's mass
+            fitting = {n: each for n, each in fitting.items() if not n.startswith("mass of a rod at its")}
         fitting = {n: each for n, each in fitting.items() if n in in_letters_of}
         if len(fitting) > 1:
             special = {n: each for n, each in fitting.items() if each.quantity.only is not None}

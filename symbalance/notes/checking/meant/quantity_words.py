@@ -258,6 +258,15 @@ class QuantityWords:
             words = {named.words.casefold() for named in by_meaning}
             is_closer = any(w in named.words.casefold() for w in words for named in by_phrase)
             yield from by_phrase if is_closer else by_meaning  # a bending section modulus
+            if not is_closer:
+                told = {id(named.quantity) for named in by_meaning}
+                yield from (
+                    named
+                    for named in by_phrase
+                    if named.quantity.only is not None
+                    and stem in named.quantity.letters
+                    and id(named.quantity) not in told
+                )
             return
         by_phrase = by_phrase or list(self.by_clause(name, chain, stem, places))
         by_phrase = by_phrase or list(self._by_words_behind(chain, stem, places, sentence))
@@ -458,6 +467,8 @@ class QuantityWords:
             if _may_apply(quantity, everywhere)
         ]
         matches = [each for each in matches if not self._is_of_another_letter(words, each[1], name)]
+        if stem == PRODUCT:  # "each shaft carries" names a mass too, by more words
+            matches = [each for each in matches if stem in each[2].letters] or matches
         special = [each for each in matches if _is_told(each[2], places, sentence)]
         matches = special or matches  # an order is a pendulum's on pages of pendulums only
         longest = [
@@ -509,7 +520,7 @@ def _named(quantity: Quantity, words: str, places: Places, sentence: str) -> Nam
     may_be_denied = own if is_told_here else f"{places.around} {own}"  # its own sentence tells the shape
     is_other = quantity.unless is not None and quantity.unless.search(may_be_denied) is not None
     is_other |= quantity.never is not None and quantity.never.search(places.page) is not None
-    if quantity.only is not None and not quantity.only.search(f"{near} {words}"):
+    if quantity.only is not None and not quantity.only.search(f"{near} {own}"):
         is_on_page = quantity.is_told_once and quantity.only.search(places.page) is not None
         is_other |= not is_on_page or (
             quantity.unless is not None and quantity.unless.search(places.page) is not None

@@ -64,6 +64,8 @@ def solved_sides(left: Formula, right: Formula) -> Iterator[Solved]:
         return
     if (ratio := _ratio_of(parts, left, right)) is not None:
         yield ratio
+    if (moment := _moment_of(parts, right)) is not None:
+        yield moment
     has_above = any(isinstance(base, Name) and exponent > 0 for base, exponent in parts)
     kinds = [_kind(base.name) for base, exponent in parts if isinstance(base, Name) and exponent > 0]
     for k, (base, exponent) in enumerate(parts):
@@ -78,6 +80,28 @@ def solved_sides(left: Formula, right: Formula) -> Iterator[Solved]:
         yield Solved(
             base.name, base if is_below else product_of([(base, exponent)]), claim, moved, is_below
         )
+
+
+def _moment_of(parts: list[tuple[Formula, Fraction]], right: Formula) -> Solved | None:
+    """Return a relation for the moment of a mass of its own: m_A r_A of 2 m_A r_A (2 ω)² = λ m r ω²."""
+    own = [base for base, exponent in parts if isinstance(base, Name) and exponent == 1]
+    pairs = [
+        (mass, arm)
+        for mass in own
+        for arm in own
+        if mass.name[0] in "mM"
+        and arm.name[0] in "rRe"
+        and index_of(mass.name) == index_of(arm.name) != ""
+    ]
+    if len(pairs) != 1 or {n.name for n in pairs[0]} & names(right):
+        return None
+    rest = [part for part in parts if part[0] not in pairs[0]]
+    if not rest:
+        return None  # as it stands
+    moved = product_of(rest)
+    product = Product(pairs[0])
+    name = " ".join(each.name for each in pairs[0])
+    return Solved(name, product, simple_product(right, _ONE / moved), moved)
 
 
 def _kind(letter: str) -> str:

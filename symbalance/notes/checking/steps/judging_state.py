@@ -51,6 +51,7 @@ from symbalance.notes.checking.meant.named_quantities import NamedQuantities
 from symbalance.notes.checking.meant.pistons.crank_motions import CrankMotions
 from symbalance.notes.checking.meant.pistons.formula_patterns import FormulaPatterns
 from symbalance.notes.checking.meant.pistons.motion_parity import MotionParity
+from symbalance.notes.checking.meant.unbalances_in_units import UnbalancesInUnits
 from symbalance.notes.checking.meant.varying_speeds import VaryingSpeed, varying_speed, with_varying_speed
 from symbalance.notes.checking.motions.equations_of_motion import EquationOfMotion
 from symbalance.notes.checking.motions.fourier_series import FourierSeries
@@ -363,6 +364,11 @@ class JudgingState:
         own = replace(knowledge, crank_angles=angles, own_ranges_from=first, printed=printed)
         own = without_moments(chain, self.sections, with_conjugates(chain, own))
         return with_ranges_in_words(chain, self.document, with_conditions(chain, self.document, own))
+
+    @cached_property
+    def unbalances(self) -> UnbalancesInUnits:
+        """What the page says of unbalances with their units."""
+        return UnbalancesInUnits(self.named)
 
     def cranks_of(self, chain: Chain) -> CrankAngles | None:
         """Return the usual cranks of the engine that words say a relation is of."""

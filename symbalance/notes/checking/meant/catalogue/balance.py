@@ -57,7 +57,9 @@ _FORCE_OF_ONE = (
 )
 """Words of what one cylinder does, and no whole engine."""
 _EACH = words(r"\beach|jede|1つ|それぞれ|各|chacun|ciascun|cada\s+un")
-_OF_SINGLE = words(r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|monocylindre|monocilin")
+_OF_SINGLE = words(
+    r"single[- ]cylinder|one[- ]cylinder|einzylinder|単気筒|mono-?(?:cylindre|cylinder|cilin)"
+)
 _IN_POUNDS = (
     r"\bpounds?\b|\blbs?\b|\\[dt]?frac\s?\{?\s?[WG](?:_\w)?\s?\}?\s?\{?\s?g\b|\b[WG](?:_\w)?\s?/\s?g\b"
 )
@@ -83,6 +85,13 @@ BALANCE: tuple[Quantity, ...] = (
                   PI**2 * rotation**2 * mass * radius / 3600, PI**2 * rotation**2 * mass * radius / 1800,
                   PI**2 * rotation**2 * mass * radius / 225, 2 * PI**2 * rotation**2 * mass * radius),
         unless=words(_IN_POUNDS),
+    ),
+    Quantity(
+        "whole centrifugal force of a rotor on its bearings", letters("F Z C P K"),
+        words(r"(?:total|whole|entire)\s+centrifugal\s+forces?", r"(?:gesamte|ganze)\w*\s+fliehkraft",
+              r"遠心力の合計", r"centrifugal\s+forces?\s+total\w*"),
+        (unbalanced * eccentricity * omega**2, unbalance * omega**2), ("bare factor", "power", "part"),
+        unless=words(r"\beach|\bper\b|\bje\b|jede|\btwo\b|\bzwei|各|二つ|2つ|半分|half"),
     ),
     Quantity(
         "centrifugal force of a weight", letters("F Z C P K"),
@@ -187,6 +196,26 @@ BALANCE: tuple[Quantity, ...] = (
                      r"|ausgleichswelle|バランサ"), turns=True, stated=frozenset({"share"}),
     ),
     Quantity(
+        "amplitude of the force that a counterweight leaves across the cylinder", letters("Y F R Q P"),
+        words(r"amplitude", r"(?:largest|greatest|maximum|peak)\s+(?:value|size|force)", r"\bsize\b",
+              r"magnitude", r"größtwert", r"höchstwert", r"scheitelwert", r"\bbetrag", r"最大値", r"振幅",
+              r"大きさ", r"ampiezza", r"amplitud"),
+        (share * mass * pin * omega**2,), ("any", "edit", "power", "part"),
+        mistakes=((1 - share) * mass * pin * omega**2, mass * pin * omega**2 / share),
+        only=both(
+            words(r"counter-?weight|counterpoise|balance\s+weight|gegengewicht|contrepoids|contrappes|contrapes"
+                  r"|おもり|カウンタ"),
+            words(r"\bacross\b|at\s+right\s+angles|perpendicular|transverse|\bquer\b|senkrecht|perpendicula"
+                  r"|transversal|trasversal|垂直|直角"),
+        ),
+        unless=words(r"\boverbalance|unbalanced (?:fraction|share|part|portion)|\balong\b|in line with"
+                     r"|in (?:hub|zylinder)richtung|fraction (?:that is )?(?:left|unbalanced)|restanteil"
+                     r"|second|zweite|2次|share left|remains unbalanced is|\bV\b|V-?twin|radial"
+                     r"|balance shaft"
+                     r"|ausgleichswelle|バランサ|行程方向|resultant|parallel"),
+        stated=frozenset({"share"}),
+    ),
+    Quantity(
         "counterweight", letters("m M B G"),
         words(r"(?:mass\s+of\s+the\s+)?(?:counter-?weight|counterbalance|balance\s+(?:weight"
         r"|mass))(?:\s+mass)?",
@@ -230,7 +259,8 @@ BALANCE: tuple[Quantity, ...] = (
         words(r"(?<!permissible )(?<!specific )(?<!residual )(?:static\s+)?(?:unbalance|imbalance)",
         r"(?<!rest)unwucht(?!kraft|güte)",
               r"不釣り?合い量?(?!力)"),
-        (unbalanced * eccentricity,), ("power",), unless=words(r"couple|force|kraft|dynamic|moment|力"),
+        (unbalanced * eccentricity,), ("power", "bare factor"),
+        unless=words(r"couple|force|kraft|dynamic|moment|力|\bplanes?\b|ebenen?\b|面|per\b|\bje\b"),
     ),
     Quantity(
         "unbalance by its force", letters("U u D S"),
@@ -260,7 +290,8 @@ BALANCE: tuple[Quantity, ...] = (
         mistakes=(cylinders * mass * pin * omega**2, cylinders * mass * pin * omega**2 / root(number(2)),
                   (cylinders - 1) * mass * pin * omega**2 / 2, 2 * mass * pin * omega**2 / cylinders),
         only=words(r"radial(?:\s+engine)?|\bstar\b|sternmotor|星形"),
-        unless=words(r"in phase|in step|would be|together|articulated|slave|nebenpleuel|副連接棒"
+        unless=words(r"in phase|in step|would be|together"
+                     r"|(?:articulated|slave|nebenpleuel|副連接棒)(?![^.;]{0,40}(?:neglect|ignor|vernachlässig|無視))"
                      r"|counterweight|gegengewicht|second|zweite"
         r"|2次|rotating mass|\bbanks?\b|(?:two|double|twin)[- ]row|two rows|\bhalf\b|per\s+pair"
         r"|\bfirst\s+\w+\s+cylinders", _FORCE_OF_ONE), stated=frozenset({"cylinders"}),

@@ -29,9 +29,11 @@ from symbalance.notes.checking.meant.catalogue.roles import (
     reciprocating,
     rod,
     rotating,
+    rotation,
     sector,
     share,
     slender,
+    turn_rate,
     unbalance,
     wall_of_weight,
     words,
@@ -50,7 +52,8 @@ _WEIGHT = words(
     r"(?:counter|balance)-?\s?(?:weights?|mass(?:es)?)", r"counterpoise", r"gegengewichte?s?",
         r"ausgleichsgewichte?s?",
     r"contrepoids", r"contrapesos?", r"(?:釣り?合い|つりあい)(?:おもり|錘)", r"カウンタ(?:ー)?ウェイト",
-    r"unbalance\s+of\s+the\s+counterweight", r"(?:crank\s+)?webs?", r"kurbelwangen?", r"ausgleich",
+    r"unbalance\s+of\s+the\s+counterweight", r"おもり", r"contrappes[oi]", r"(?:crank\s+)?webs?",
+    r"kurbelwangen?", r"ausgleich",
 )  # fmt: skip
 _HALF = words(
     r"\bhalf\s+(?:of\s+)?(?:the\s+)?(?:oscillating|reciprocating)", r"hälfte\s+der\s+(?:oszill|hin)",
@@ -71,7 +74,10 @@ _SHAFT = words(
     r"(?:unbalance|moment)\s+(?:of|for|on)\s+(?:each|one|every|a|the)\s+(?:balance[r]?\s+)?shafts?",
         r"each\s+(?:balance[r]?\s+)?shaft",
     r"balance[r]?\s+shafts?", r"(?:unwucht\s+)?je\s+(?:ausgleichs)?welle", r"ausgleichswellen?",
-    r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating", r"gleichheit",
+    r"(?:chaque|ciascun\w*|cada)\s+(?:balance\s+)?(?:shaft|arbre|albero|eje|árbol)",
+    r"jede\s+(?:ausgleichs)?welle",
+    r"各(?:バランサ)?軸", r"バランサ(?:軸|シャフト)?", r"shaft\s+carries", r"per\s+shaft", r"equating",
+    r"gleichheit",
     r"軸[一1]本当たり",
         r"不釣り?合い量",
     r"ejes?\s+contrarrotantes?", r"lanchester\w*", r"ejes?\s+(?:de\s+)?equilibra\w+",
@@ -94,7 +100,17 @@ _OTHER_SHAFTS = (
     r"|einzige welle|both (?:shafts )?together|(?:one|per|each|a) weight|two weights"
 )
 _OTHER_SHAFTS += r"|total reciprocating|whole engine|all (?:the |four )?pistons|gesamte oszill"
-_SINGLE = words(r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono(?:cylindre|cilíndrico)")
+_SINGLE = words(
+    r"\bsingle|one[- ]cylinder|einzylinder|単気筒|thumper|mono-?(?:cylindre|cylinder|cilíndrico"
+    r"|cilindric)"
+)
+_ROTATING_ONLY = words(
+    r"(?:balanced|counterweight\w*|balances)\s+(?:for\s+)?(?:only\s+)?(?:the\s+|its\s+)?rotating\s+(?:mass(?:es)?|parts)\s+only",
+    r"(?:balanced|balances)\s+(?:for\s+)?only\s+(?:for\s+)?(?:the\s+|its\s+)?rotating",
+    r"(?:nur|allein)\s+(?:für\s+)?die\s+rotierende", r"回転質量(?:だけ|のみ)",
+    r"seulement\s+(?:les|la)\s+rotating",
+)  # fmt: skip
+"""Words by which a crank's counterweight takes up nothing of what goes to and fro."""
 _SECOND = (mass * pin * ratio, mass * pin**2 / rod, mass * pin / slender)
 _SIN_HALF, _SIN_OF_HALF = Call("sin", half_sector), Call("sin", sector / 2)
 _RING = (outer_radius**3 - inner_radius**3) / (outer_radius**2 - inner_radius**2)
@@ -136,7 +152,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
         "moment of a counterweight", _MOMENT, _WEIGHT,
         ((rotating + share * reciprocating) * pin, (rotating + cylinders / 2 * reciprocating) * pin,
          share * mass * pin, cylinders / 2 * mass * pin),
-        ("edit",),
+        ("any", "edit"),
         mistakes=((share * rotating + reciprocating) * pin, (rotating - reciprocating / 2) * pin,
                   (rotating + (1 - share) * reciprocating) * pin,
                           share * (rotating + reciprocating) * pin,
@@ -146,7 +162,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "moment of a counterweight that takes up half of the reciprocating mass", _MOMENT, _WEIGHT,
-        ((rotating + reciprocating / 2) * pin,), ("edit",),
+        ((rotating + reciprocating / 2) * pin,), ("any", "edit"),
         mistakes=((rotating + reciprocating) * pin, (rotating / 2 + reciprocating) * pin,
                   (rotating + reciprocating) * pin / 2),
         only=_HALF,
@@ -165,10 +181,17 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     Quantity(
         "moment of each of two shafts against the first order of a single cylinder", _MOMENT, _SHAFT,
         (mass * pin / 2,), ("power", "part"), others=(mass * pin / 4,), mistakes=(mass * pin,
-        2 * mass * pin),
+        2 * mass * pin, mass * pin / 8),
         only=_SINGLE, unless=words(_OTHER_SHAFTS, _FOUR.pattern, _TWICE.pattern,
-            r"crank (?:itself )?carries"),
+            _ROTATING_ONLY.pattern, r"crank (?:itself )?carries"),
         is_told_once=True,
+    ),
+    Quantity(
+        "moment of each of two shafts beside a crank balanced for its rotating mass only", _MOMENT,
+        _SHAFT,
+        (mass * pin / 2,), ("any", "bare factor", "power", "part"),
+        only=both(_SINGLE, _ROTATING_ONLY),
+        unless=words(_OTHER_SHAFTS, _FOUR.pattern, _TWICE.pattern), is_told_once=True,
     ),
     Quantity(
         "moment of each of two shafts against the second order of a single cylinder", _MOMENT, _SHAFT,
@@ -272,9 +295,10 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
     Quantity(
         "permissible eccentricity by the balance quality", letters("e"),
         words(r"permissible\s+(?:eccentricity|specific\s+unbalance)",
-            r"zulässige\s+(?:exzentrizität|spezifische\s+unwucht)",
+            r"zulässige\w*\s+(?:(?:schwerpunkt|masse?n)?-?\s?exzentrizität|(?:spezifische|bezogene)\s+(?:rest)?unwucht)",
               r"許容(?:偏心量?|比不釣り?合い)"),
-        (grade / omega,), ("power",), mistakes=(grade * omega,),
+        (grade / omega, grade / (2 * PI * rotation), grade / (2 * PI * turn_rate)),
+        ("any", "bare factor", "turn", "power"), mistakes=(grade * omega,),
     ),
     Quantity(
         "permissible unbalance", letters("U"),

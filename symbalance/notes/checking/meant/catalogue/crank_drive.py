@@ -83,6 +83,28 @@ _TILTS = (
     TAN_ROD * _HEIGHT, pin * SIN_BOTH / COS_ROD, pin * (SIN_CRANK + COS_CRANK * TAN_ROD),
     *(pin * shape for shape in _EXACT_SHAPES),
 )  # fmt: skip
+_RADIAL = words(
+    r"radial\s+(?:crank\s+)?(?:force|component|thrust)(?:\s+(?:at"
+    r"|on)\s+the\s+crank[- ]?pin)?",
+    r"(?:radial|kurbelarm)kraft",
+    r"(?:component|part)\s+along\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin"
+    r"|shaft|case))",
+    r"(?:komponente|anteil|kraft)\s+(?:längs|entlang|in\s+richtung)\s+de[rs]\s+"
+    r"kurbel(?:arms?|wange|kröpfung|radius)?(?![a-zäöü])",
+    r"(?:半径|法線)(?:方向の?)?(?:力|分力|成分)",
+)
+_RADIAL_PARTS = (
+    piston_force * COS_BOTH / COS_ROD, any_force * COS_BOTH / COS_ROD, rod_force * COS_BOTH,
+    any_force * (COS_CRANK - SIN_CRANK * TAN_ROD), piston_force * (COS_CRANK - SIN_CRANK * TAN_ROD),
+)  # fmt: skip
+_INWARDS = (
+    r"positive?\s+(?:when\s+|if\s+)?(?:directed\s+|counted\s+|pointing\s+)?(?:inwards?|(?:towards?|to)\s+the\s+"
+    r"(?:crank\s?shaft|crank|shaft|main\s+bearing)(?:['’]s)?(?:\s+(?:centre|center|axis))?)"
+    r"|positiv\w*\s+(?:zur|nach)\s+(?:kurbelwelle\w*|wellenmitte|innen)"
+    r"|(?:zur\s+\w*(?:welle|mitte|achse)\w*|nach\s+innen)(?:\s+hin)?\s+positiv"
+    r"|(?:クランク軸|軸)(?:中心)?(?:に|へ)?(?:向か(?:う|って)|向き)[^。、]{0,8}正"
+)
+"""Words by which a force is counted positive towards the crankshaft."""
 
 
 _STROKES_IN_A_TIME = (
@@ -231,7 +253,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
                       r"|odd|per\s+bank|in\s+one\s+bank|je bank|crank\s?pins?|throws?|kröpf"
                       r"|hubzapfen|ピン"),
         only=words(r"four[- ]stroke|4[- ]stroke|viertakt|4-takt|4ストローク|4サイクル|四サイクル"),
-        slips=("factor",),
+        slips=("any", "factor"),
     ),
     Quantity(
         "firing interval of a two-stroke engine",
@@ -247,7 +269,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         r"|四サイクル|uneven|ungleich"
                       r"|irregular|不等|odd|per\s+bank|je bank|double[- ]acting|doppeltwirk|複動"),
         only=words(r"two[- ]stroke|2[- ]stroke|zweitakt|2-takt|2ストローク|2サイクル|二サイクル"),
-        slips=("factor",),
+        slips=("any", "factor"),
     ),
     Quantity(
         "side force on the cylinder wall", letters("N F S Q R G H L"),
@@ -264,7 +286,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          any_force * SIN_ROD / COS_ROD, piston_force * ratio * SIN_CRANK / COS_ROD,
          any_force * ratio * SIN_CRANK / root(1 - ratio**2 * SIN_CRANK**2),
          piston_force * ratio * SIN_CRANK / root(1 - ratio**2 * SIN_CRANK**2)),
-        ("edit",),
+        ("any", "edit", "bare factor", "power"),
         mistakes=(piston_force / TAN_ROD, piston_force * COS_ROD, piston_force * SIN_ROD,
         net_force * SIN_ROD, net_force * COS_ROD, net_force / TAN_ROD, rod_force * TAN_ROD,
                   rod_force * COS_ROD, piston_force * ratio * COS_CRANK),
@@ -286,7 +308,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         (piston_force / COS_ROD, any_force / COS_ROD,
          any_force / root(1 - ratio**2 * SIN_CRANK**2), piston_force / root(1 - ratio**2 * SIN_CRANK**2),
          any_force / root(1 - ratio**2), piston_force / root(1 - ratio**2)),
-        ("edit",),
+        ("any", "edit", "bare factor", "power"),
         mistakes=(piston_force * root(1 - ratio**2), net_force * COS_ROD, net_force / SIN_ROD,
                   net_force / TAN_ROD,
                   piston_force * COS_ROD, piston_force / SIN_ROD, piston_force * TAN_ROD,
@@ -311,7 +333,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          any_force * (SIN_CRANK + COS_CRANK * TAN_ROD),
          piston_force * (SIN_CRANK + COS_CRANK * TAN_ROD), torque / pin,
          *(force * shape for force in (any_force, piston_force) for shape in _EXACT_SHAPES)),
-        ("edit",),
+        ("any", "edit", "bare factor", "power"),
         approximate=tuple(
             force * (SIN_CRANK + second)
             for force in (any_force, piston_force)
@@ -326,22 +348,24 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
     ),
     Quantity(
         "radial force at the crank pin", letters("F R P Z Q"),
-        words(r"radial\s+(?:crank\s+)?(?:force|component|thrust)(?:\s+(?:at"
-        r"|on)\s+the\s+crank[- ]?pin)?", r"(?:radial|kurbelarm)kraft",
-              r"(?:component|part)\s+along\s+the\s+crank(?:\s+(?:arm|web|throw))?(?![- ]?(?:pin"
-              r"|shaft|case))",
-              r"(?:komponente|anteil|kraft)\s+(?:längs|entlang|in\s+richtung)\s+de[rs]\s+"
-              r"kurbel(?:arms?|wange|kröpfung|radius)?(?![a-zäöü])",
-              r"(?:半径|法線)(?:方向の?)?(?:力|分力|成分)"),
+        _RADIAL,
         (piston_force * COS_BOTH / COS_ROD, any_force * COS_BOTH / COS_ROD, rod_force * COS_BOTH,
          any_force * (COS_CRANK - SIN_CRANK * TAN_ROD),
          piston_force * (COS_CRANK - SIN_CRANK * TAN_ROD), -piston_force * COS_BOTH / COS_ROD,
          -any_force * COS_BOTH / COS_ROD),
-        ("edit",),
+        ("any", "edit", "bare factor", "power"),
         mistakes=(piston_force * SIN_BOTH / COS_ROD, piston_force * COS_BOTH, net_force * COS_BOTH),
         others=(any_force * SIN_BOTH,),
-        unless=words(_OFFSET, r"bearing clearance|magnet|gear"), turns=True, only=_ENGINE,
+        unless=words(_OFFSET, r"bearing clearance|magnet|gear", _INWARDS), turns=True, only=_ENGINE,
         is_told_once=True,
+    ),
+    Quantity(
+        "radial force at the crank pin, positive inwards", letters("F R P Z Q"), _RADIAL,
+        _RADIAL_PARTS, ("any", "edit", "bare factor", "power"),
+        mistakes=(*(-each for each in _RADIAL_PARTS), piston_force * SIN_BOTH / COS_ROD,
+                  piston_force * COS_BOTH, net_force * COS_BOTH),
+        others=(any_force * SIN_BOTH,),
+        only=words(_INWARDS), unless=words(_OFFSET, r"bearing clearance|magnet|gear"), turns=True,
     ),
     Quantity(
         "torque of a crank", letters("M T Q"),
@@ -356,7 +380,7 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
          *(force * pin * shape for force in (any_force, piston_force) for shape in _EXACT_SHAPES),
          rod_force * pin * SIN_BOTH, power / omega, power / (2 * PI * rotation),
          60 * power / (2 * PI * rotation)),
-        ("edit",),
+        ("any", "edit", "bare factor", "power"),
         mistakes=(piston_force * pin * COS_BOTH / COS_ROD, any_force * pin * COS_BOTH / COS_ROD,
         power * omega,
                   power / rotation, 2 * PI * power / rotation, 2 * PI * power * rotation,
@@ -458,8 +482,17 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         (ratio * omega * COS_CRANK / COS_ROD,
          ratio * omega * COS_CRANK / root(1 - ratio**2 * SIN_CRANK**2),
          -ratio * omega * COS_CRANK / COS_ROD,
+         omega * COS_CRANK / _SLENDER_ROOT, -omega * COS_CRANK / _SLENDER_ROOT,
+         omega * COS_CRANK / (slenderness * COS_ROD), -omega * COS_CRANK / (slenderness * COS_ROD),
+         pin * omega * COS_CRANK / root(rod**2 - pin**2 * SIN_CRANK**2),
          pin * omega * COS_CRANK / (rod * COS_ROD), -pin * omega * COS_CRANK / (rod * COS_ROD)),
-        ("edit",), approximate=(ratio * omega * COS_CRANK, -ratio * omega * COS_CRANK), turns=True,
+        ("any", "edit", "bare factor", "power"),
+        approximate=(
+            omega * COS_CRANK / slenderness,
+            ratio * omega * COS_CRANK,
+            -ratio * omega * COS_CRANK,
+        ),
+        turns=True,
         only=_ENGINE, is_told_once=True,
         unless=words(_OFFSET, r"articulated|neben"),
     ),
@@ -470,11 +503,19 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
               r"(?:rod|connecting[- ]rod)(?:'s)?\s+angular\s+acceleration",
               r"winkelbeschleunigung\s+(?:des\s+pleuels|der\s+(?:pleuel)?stange|der\s+pleuelstange)",
               r"(?:連接棒|コンロッド)の角加速度"),
-        (-ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / root(1 - ratio**2 * SIN_CRANK**2) ** 3,
+        (-(omega**2) * SIN_CRANK * (slenderness**2 - 1) / _SLENDER_ROOT**3,
+         omega**2 * SIN_CRANK * (slenderness**2 - 1) / _SLENDER_ROOT**3,
+         -ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / root(1 - ratio**2 * SIN_CRANK**2) ** 3,
          ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / root(1 - ratio**2 * SIN_CRANK**2) ** 3,
          -ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / COS_ROD**3,
          ratio * omega**2 * SIN_CRANK * (1 - ratio**2) / COS_ROD**3),
-        ("edit",), approximate=(-ratio * omega**2 * SIN_CRANK, ratio * omega**2 * SIN_CRANK),
+        ("any", "edit", "bare factor", "power"),
+        approximate=(
+            omega**2 * SIN_CRANK / slenderness,
+            -(omega**2) * SIN_CRANK / slenderness,
+            -ratio * omega**2 * SIN_CRANK,
+            ratio * omega**2 * SIN_CRANK,
+        ),
         turns=True, unless=words(_OFFSET, r"articulated|neben"),
     ),
 )  # fmt: skip

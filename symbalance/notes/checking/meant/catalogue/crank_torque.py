@@ -100,13 +100,13 @@ def _wrong_shares(own: Formula, other: Formula) -> tuple[Formula, ...]:
 
 _ROD_PART = r"(?:connecting[- ])?rod|pleuel|連接棒|コンロッド"
 _AT_SMALL = (
-    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:small[- ]end"
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on|to)\s+the\s+(?:small[- ]end"
     r"|piston(?:[- ]pin)?|gudgeon[- ]pin"
     r"|wrist[- ]pin)"
     r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:kleinen\s+\w*(?:auge|kopf)|kolben(?:bolzen)?)"
 )
 _AT_BIG = (
-    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on)\s+the\s+(?:(?:big"
+    r"(?:mass|part|share|portion)\s+(?:[^.;,$=]{0,24}\s)?(?:at|in|on|to)\s+the\s+(?:(?:big"
     r"|large)[- ]end|crank[- ]?pin)"
     r"|(?:massen?|anteil)\s+(?:am|im)\s+(?:großen\s+\w*(?:auge|kopf)|(?:kurbel|hub)zapfen)"
 )
@@ -199,6 +199,34 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         ("edit", "part"), unless=words(_OFFSET), turns=True, only=_ENGINE, is_told_once=True,
     ),
     Quantity(
+        "distance of the piston from its top dead centre at a right angle of the crank",
+        letters("x s y z h S"),
+        words(r"distance\s+from\s+(?:TDC|(?:the\s+)?top\s+dead\s+cent(?:re|er))",
+              r"(?:piston\s+)?displacement(?:\s+of\s+the\s+piston)?(?:\s+from\s+(?:TDC|(?:the\s+)?top\s+dead\s+cent(?:re|er)))?",
+              r"kolbenweg", r"abstand\s+(?:vom?|zum)\s+(?:OT|oberen\s+totpunkt)",
+              r"上死点から(?:の)?(?:ピストン(?:の)?)?(?:距離|変位)", r"ピストン変位"),
+        (pin + rod - root(rod**2 - pin**2), pin * (1 + (1 - root(1 - ratio**2)) / ratio)),
+        ("any", "edit", "part"), mistakes=(rod - root(rod**2 - pin**2),),
+        approximate=(pin * (1 + ratio / 2), pin + pin**2 / (2 * rod)),
+        only=words(r"(?<![0-9.,])90\s?(?:°|\^|degrees?|grad)|right\s+angle\s+(?:to|with|between)"
+                   r"|quarter\s+(?:of\s+a\s+)?(?:turn|revolution)|viertel(?:drehung|umdrehung)"
+                   r"|(?<![0-9.,])90\s?度|直角"),
+        unless=words(_OFFSET, r"\bV\b|V-?(?:twin|engine|motor)|270|\bafter\s+BDC|bottom"),
+    ),
+    Quantity(
+        "moment of inertia of the two masses that replace a rod", letters("J I Theta"),
+        words(r"(?:two[- ]mass(?:\s+(?:model|system|substitute|equivalent))?"
+        r"|(?:the\s+)?two\s+masses)[^.;=]{0,20}?"
+              r"\s(?:has|have|with)\s+(?:the|a)\s+moment\s+of\s+inertia",
+              r"moment\s+of\s+inertia\s+of\s+the\s+(?:two\s+(?:point\s+)?masses|two[- ]mass\s+\w+)",
+              r"zweimassen\w*[^.;=]{0,20}?\s(?:hat|mit)[^.;=]{0,20}?trägheitsmoment",
+              r"trägheitsmoment\s+(?:de[rs]\s+)?(?:beiden\s+(?:ersatz|punkt)?massen|zweimassen\w*)",
+              r"[二2]質点(?:系|モデル)?の慣性モーメント"),
+        (mass * near * far, mass * to_big * to_small), ("any", "edit", "power", "bare factor", "part"),
+        only=words(_ROD_PART, r"\brod\b|stange|bielle|biella|biela"),
+        unless=words(r"about\s+the\s+(?:big|small|crank|piston)|um\s+den\s+(?:kurbel|kolben)"),
+    ),
+    Quantity(
         "mass of a rod at its small end", letters("m M W W1 W2 m1 m2 G"),
         words(rf"(?:reciprocating|oscillating|small[- ]end|upper)\s+(?:{_SHARES})(?:\s+of\s+(?:the"
             rf"|its)\s+"
@@ -209,7 +237,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"(?:往復(?:質量|部分)?|小端)[^、。]{0,12}(?:質量|分)", _AT_SMALL,
               r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:kolbenbolzen|kleinen\s+\w*(?:auge|kopf))"),
         (mass * to_big / rod, mass * (rod - to_small) / rod, mass * to_big / (to_big + to_small)),
-        ("edit", "power", "part"),
+        ("any", "edit", "power", "part"),
         mistakes=(mass * to_small / rod, mass * (rod - to_big) / rod,
                   mass * to_small / (to_big + to_small),
                   mass * to_big / to_small, mass * to_small / to_big,
@@ -227,7 +255,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"(?:回転(?:質量|部分)?|大端)[^、。]{0,12}(?:質量|分)", _AT_BIG,
               r"masse\s+(?:\w+\s+)?(?:im|am)\s+(?:(?:kurbel|hub)zapfen|großen\s+\w*(?:auge|kopf))"),
         (mass * to_small / rod, mass * (rod - to_big) / rod, mass * to_small / (to_big + to_small)),
-        ("edit", "power", "part"),
+        ("any", "edit", "power", "part"),
         mistakes=(mass * to_big / rod, mass * (rod - to_small) / rod,
                   mass * to_big / (to_big + to_small),
                   mass * to_big / to_small, mass * to_small / to_big,
@@ -240,6 +268,22 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
             r"hin-\s*und\s+hergehende\s+masse",
               r"往復(?:部分の)?質量"),
         (piston_mass + rod_mass / 3,), ("edit", "part"), mistakes=(piston_mass + 2 * rod_mass / 3,),
+    ),
+    Quantity(
+        "reciprocating mass of a piston and the share of its rod", letters("m M"),
+        words(r"(?:reciprocating|oscillating)\s+mass", r"oszillierende[n]?\s+masse",
+              r"hin-\s*und\s+hergehende[n]?\s+masse", r"往復(?:部分の)?質量"),
+        (piston_mass + rod_mass * to_big / rod, piston_mass + rod_mass * (1 - to_small / rod)),
+        ("any", "edit", "part"),
+        mistakes=(piston_mass + rod_mass * to_small / rod, piston_mass + rod_mass * (1 - to_big / rod)),
+    ),
+    Quantity(
+        "rotating mass of a crank and the share of its rod", letters("m M"),
+        words(r"(?:rotating|revolving)\s+mass", r"rotierende[n]?\s+masse", r"umlaufende[n]?\s+masse",
+              r"回転(?:部分の)?質量"),
+        (crank_mass + rod_mass * to_small / rod, crank_mass + rod_mass * (1 - to_big / rod)),
+        ("any", "edit", "part"),
+        mistakes=(crank_mass + rod_mass * to_big / rod, crank_mass + rod_mass * (1 - to_small / rod)),
     ),
     Quantity(
         "rotating mass with two thirds of the rod", letters("m M"),

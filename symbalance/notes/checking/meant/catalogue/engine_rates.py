@@ -39,6 +39,7 @@ _PER_TURN = words(
     r"(?:ignitions|firings|explosions)\s+(?:per|in\s+one"
     r"|in\s+each)\s+(?:crank\s*shaft\s+)?(?:revolution|turn|turn_rate)",
     r"(?:zündungen|arbeitstakte|arbeitshübe)\s+(?:je|pro)\s+(?:kurbelwellen)?umdrehung",
+    r"1\s?回転(?:あたり|当たり|ごと)の(?:仕事|膨張)(?:行程)?(?:回)?数",
     r"1\s?回転(?:あたり|当たり)の(?:点火|爆発|着火)(?:回)?数",
     r"main\s+(?:harmonic\s+)?order(?:\s+of\s+(?:the\s+)?(?:torque|excitation|firing))?",
     r"(?:principal|lowest\s+major|firing)\s+order(?!\s*(?:is\s+)?[:0-9])"
@@ -111,27 +112,29 @@ ENGINE_RATES: tuple[Quantity, ...] = (
     Quantity(
         "firing frequency of a four-stroke engine", letters("f nu F"), _FIRING_RATE,
         (turn_rate * cylinders / 2, turn_rate * cylinders / 120, omega * cylinders / (4 * PI)),
-        ("factor", "part"), only=_FOUR,
+        ("any", "factor", "part"), only=_FOUR,
         unless=words(_TWO.pattern, r"half|each|order|ordnung|次数|per\s+cylinder|je\s+zylinder"),
         is_told_once=True,
     ),
     Quantity(
         "firing frequency of a two-stroke engine", letters("f nu F"), _FIRING_RATE,
         (turn_rate * cylinders, turn_rate * cylinders / 60, omega * cylinders / (2 * PI)),
-        ("bare factor",), only=_TWO,
+        ("any", "bare factor"), only=_TWO,
         unless=words(_FOUR.pattern, r"order|ordnung|次数|per\s+cylinder|je\s+zylinder"),
         is_told_once=True,
     ),
     Quantity(
         "firings per turn of a four-stroke engine", _PER_TURN_LETTERS, _PER_TURN, (cylinders / 2,),
-        ("factor",),
-        only=_FOUR, unless=words(_TWO.pattern, r"two\s+(?:turns|revolutions)|zwei\s+umdrehungen|bank"),
+        ("any", "factor"),
+        only=_FOUR, unless=words(_TWO.pattern, r"per\s+two\s+(?:turns|revolutions)|(?:je"
+        r"|pro)\s+zwei\s+umdrehungen|bank"),
         is_told_once=True,
     ),
     Quantity(
         "firings per turn of a two-stroke engine", _PER_TURN_LETTERS, _PER_TURN, (cylinders,),
-        ("bare factor",),
-        only=_TWO, unless=words(_FOUR.pattern, r"two\s+(?:turns|revolutions)|zwei\s+umdrehungen|bank"),
+        ("any", "bare factor"),
+        only=_TWO, unless=words(_FOUR.pattern, r"per\s+two\s+(?:turns|revolutions)|(?:je"
+        r"|pro)\s+zwei\s+umdrehungen|bank"),
         is_told_once=True,
     ),
     Quantity(

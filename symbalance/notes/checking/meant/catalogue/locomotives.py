@@ -45,6 +45,12 @@ _BALANCE_FACTOR = words(
     r"|(?:釣り?合い|つりあい|バランス)率"
 )
 _NO_BALANCE = words(r"rotating mass|rotierende|回転質量|second cylinder|V-twin")
+_LIFTS = (
+    r"(?:leaves\s+the\s+rail|(?:begins|starts)\s+to\s+lift(?:\s+off(?:\s+the\s+rails?)?)?"
+    r"|(?:wheel\s+)?lift(?:s|ing)?(?:\s+off|\s+of\s+the\s+wheel|\s+from)?(?:\s+the\s+rails?)?"
+    r"|hebt\s+(?:das\s+rad\s+)?ab|abheben|浮き上がる?り?|quitte\s+(?:le|the)\s+rail|se\s+soulève|décolle"
+    r"|si\s+(?:solleva|stacca)|se\s+(?:levanta|despega))"
+)
 
 LOCOMOTIVES: tuple[Quantity, ...] = (
     Quantity(
@@ -81,10 +87,9 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "angular velocity at which a wheel leaves the rail", letters("omega Omega w"),
-        words(r"leaves\s+the\s+rail", r"(?:wheel\s+)?lift(?:s|ing)?(?:\s+off|\s+of\s+the\s+wheel"
-                                      r"|\s+from)?"
-              r"(?:\s+the\s+rails?)?", r"hebt\s+(?:das\s+rad\s+)?ab", r"abheben", r"浮き上がる?り?"),
-        (root(wheel_load / (balance_mass * arm_of_weight)),), ("root", "power"),
+        words(_LIFTS + r"(?:[^.;=]{1,50}?(?:angular\s+(?:velocity|speed)|winkelgeschwindigkeit"
+        r"|角速度)[^.;=]{0,14})?"),
+        (root(wheel_load / (balance_mass * arm_of_weight)),), ("any", "root", "power", "bare factor"),
         mistakes=(wheel_load / (balance_mass * arm_of_weight),),
         only=words(r"rail|schiene|レール|wheel|\brad\b|車輪"),
         unless=words(r"km/h|velocity of the train"),
@@ -160,13 +165,27 @@ LOCOMOTIVES: tuple[Quantity, ...] = (
               r"|magnitude)", r"betrag\s+der\s+rest(?:massen)?kraft",
               r"(?:残留力|不釣り?合い力)の(?:合力|大きさ)"),
         (_FORCE * root((1 - share) ** 2 * COS_CRANK**2 + share**2 * SIN_CRANK**2), _FORCE / 2),
-        ("edit", "power", "root"),
+        ("any", "edit", "power", "root"),
         others=(_FORCE * root((1 - share) ** 2 * SIN_CRANK**2 + share**2 * COS_CRANK**2),),
         mistakes=(_FORCE, _FORCE / 4,
         _FORCE * root((1 - share) ** 2 * COS_CRANK**2 + (1 - share) ** 2 * SIN_CRANK**2),
                   _FORCE * root((1 - share) * COS_CRANK**2 + share * SIN_CRANK**2)),
         only=words(r"\bhalf\b|50\s?\\?%|fraction|\bshare\b|hälfte|半分|balance factor"),
         unless=words(r"V-?twin|\btwo\b|three|four|tractive|secondary|second order"),
+    ),
+    Quantity(
+        "resultant that the balance of a share leaves, by the angle from the line of stroke",
+        letters("F R P"),
+        words(r"resultant(?:\s+of\s+both)?(?:\s+unbalanced)?(?:\s+primary)?(?:\s+force)?(?:\s+at\s+any\s+instant)?",
+              r"result(?:ante|ierende)(?:\s+\w+)?", r"合力(?:の大きさ)?"),
+        (_FORCE * root((1 - share) ** 2 * COS_CRANK**2 + share**2 * SIN_CRANK**2),),
+        ("any", "edit", "power", "root"),
+        mistakes=(_FORCE * root((1 - share) ** 2 * SIN_CRANK**2 + share**2 * COS_CRANK**2),),
+        only=words(
+            r"\(1\s?-\s?[\w\\]{1,6}\)[^.;\n]{0,40}?\\?cos[^.;\n]{0,60}?\\?sin[^.;\n]{0,60}?(?:across"
+            r"|perpendicular|quer|transvers|trasvers|垂直|直角)"
+        ),
+        unless=words(r"V-?twin|\btwo\b|three|four|tractive|secondary|second order"), turns=True,
     ),
     Quantity(
         "balance factor that makes two forces equal", letters("k beta c x b K"),

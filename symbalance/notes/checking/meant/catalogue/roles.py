@@ -44,8 +44,8 @@ class Quantity:
     slips: tuple[str, ...] = ("factor", "power")
     """What one may get wrong: "factor" (of a formula with a number), "bare factor", "power", "root",
     "turn" (2π), "minus", "term", and "edit": a sign, a function,
-    an exponent or a number anywhere within. With "part", words of
-    a part (each, half) excuse no factor."""
+    an exponent or a number anywhere within; "any" for whatever else is not a multiple. With "part", words
+    of a part (each, half) excuse no factor."""
     mistakes: tuple[Formula, ...] = ()
     """Formulas that are wrong by whatever convention."""
     context: re.Pattern[str] | None = None
@@ -165,7 +165,10 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("rod_angle", "beta phi varphi psi gamma delta", r"rod angle|obliquity|inclination(?: of the"
      r" (?:connecting )?rod)?|angle of the (?:connecting )?rod|(?:pleuel|stangen|schwenk"
      r"|pleuelstangen)winkel"
-     r"|(?:連接棒|コンロッド)の?(?:傾き|傾斜|揺動)?角"),
+     r"|(?:連接棒|コンロッド)の?(?:傾き|傾斜|揺動)?角"
+     r"|angle between (?:the )?(?:connecting )?rod and (?:the )?(?:cylinder|stroke|line of stroke)"
+     r"|winkel zwischen (?:der )?(?:pleuel|schub)?(?:stange|pleuel) und (?:der )?zylinder(?:achse)?"
+     r"|(?:連接棒|コンロッド)とシリンダ(?:ー)?(?:軸|中心線)?(?:と)?の(?:なす)?角"),
     ("crank_angle", "theta vartheta alpha phi varphi", r"crank ?angle|angle of the (?:first )?crank"
      r"|crank rotation"
      r"|kurbelwinkel|winkel der (?:ersten )?kurbel|クランク(?:回転)?角度?"),
@@ -173,8 +176,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"(?<!piston )(?<!gas )(?<!rod )(?:forces?|loads?)"
      r"|(?<!gas)(?<!kolben)(?<!stangen)(?<!pleuel)kraft|(?<!ガス)(?<!ピストン)(?<!ガス圧)力",
      "", "s S st St cr c l pl rod g G p K k gas kol Gas Kol"),
-    ("piston_force", "F P Q K", r"(?:piston|gas)\s+(?:force|load|effort|thrust)|force (?:total "
-    r"|resultant |acting )?(?:up)?on the (?:piston|gudgeon pin|wrist ?pin)"
+    ("piston_force", "F P Q K",
+    r"(?:piston|gas)\s+(?:force|load|effort|thrust)|(?:axial )?force (?:total "
+    r"|resultant |acting |axial )?(?:up)?on the (?:piston|gudgeon pin|wrist ?pin)"
      r"|force along the (?:axis of the cylinder|cylinder(?:'s)? axis|line of stroke)"
      r"|ピストンに(?:働く|作用する|かかる)?(?:軸方向の?)?力"
         r"|net (?:piston )?(?:force|load)"
@@ -286,7 +290,7 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("to_big", "", r"(?!)"),
     ("to_small", "", r"(?!)"),
     ("piston_mass", "m_K m_Ko m_k m_p m_P m_piston M_p m_Kolben m_1", r"(?:mass of the )?piston(?: mass"
-        r"| assembly)|mass of the piston"
+        r"| assembly)|mass of (?:the )?piston"
      r"|kolbenmasse|ピストン[^、。]{0,4}質量"),
     ("rod_mass", "m_Pl m_pl m_S m_St m_c m_r m_rod m_R m_P m_Pleuel m_cr", r"(?:connecting[- ])?rod mass"
         r"|mass of the (?:connecting[- ])?rod"
@@ -302,7 +306,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
             r"(?:outer|outside|external)(?: radius)?|(?:radius |\be |\bet |\by )(?:exterior"
             r"|extérieur|externo|esterno)|außen(?:radius)?|外半径"
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
-    ("turn_rate", "n N f", r"rotational speed|engine speed|revolutions|\brpm|drehzahl|回転数"
+    ("turn_rate", "n N f", r"rotational speed|engine speed|crank ?shaft speed|rev/(?:min|s)\b"
+    r"|\b1/min|revolutions|\brpm|drehzahl|回転数"
      r"|回転速度|turns"),
     ("inner_radius", "r R", r"(?:inner|inside|internal)(?: radius)?|(?:radius |\be |\bet "
                             r"|\by )(?:interior|intérieur|interno)|innen(?:radius)?|内半径"
@@ -321,7 +326,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|(?:semi-?angolo|metà dell['’]angolo)(?: (?:della V|(?:tra|fra) i cilindri|di apertura))?"
      r"|(?:semi-?ángulo|mitad del ángulo)(?: (?:de la V|entre (?:los )?cilindros|de apertura))?"),
     ("slender", "n nu q k lambda", r"ratio|l/r|verhältnis|比"),
-    ("wheel_load", "P W Q N G F", r"loads?|dead weight|weight|force|radlast|last|kraft|荷重"),
+    ("wheel_load", "P W Q N G F",
+    r"loads?|charge statique|carga estática|carico statico|dead weight|weight|force|radlast|last"
+    r"|kraft|荷重"),
     ("pitch", "a d b l s c e p L y", r"apart|distances?|spacing|pitch|abstand|距離|間隔|offset|arm"),
     ("base_force", "F P K f", r"force|amplitude|kraft|力", "0 o 1 I i c m rec"),
     ("sector", "beta gamma phi varphi theta alpha delta", r"(?:opening|full|sector|central|whole"

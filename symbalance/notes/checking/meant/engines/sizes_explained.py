@@ -23,6 +23,13 @@ _MASSES = re.compile(
     rf"|\beach\s+(?:\w+\s+){{0,2}}?(?:with|of|having|has)\s+(?:\w+\s+){{0,3}}?{_MASS}(?![a-zà-ü])"
     rf"|(?:\bhat\s+)?\bjeder\s+(?:\w+\s+)?(?:hat\s+)?(?:\w+\s+){{0,2}}?{_MASS}(?![a-zà-ü])"
     rf"|\b(?:chaque|ogni|cada)\s+\w+\s+(?:a|ha|tiene)\s+(?:\w+\s+){{0,2}}?{_MASS}(?![a-zà-ü])"
+    rf"|\b(?:each|every)\s+{_PIECE}\s+(?:has|moves|carries)\s+(?:the|a|an|its)\s+(?:own\s+)?(?:\w+\s+){{0,2}}?"
+    rf"{_MASS}(?![a-zà-ü])"
+    r"|\bjeder\s+(?:zylinder|kolben)\s+hat\s+(?:die|eine)\s+(?:\w+\s+){0,2}?masse(?![a-zà-ü])"
+    r"|\bchaque\s+(?:cylindre|piston)\s+a\s+(?:la|une)\s+masse(?![a-zà-ü])"
+    r"|\b(?:ogni|ciascun)\s+(?:cilindro|pistone)\s+ha\s+(?:la|una)\s+massa(?![a-zà-ü])"
+    r"|\bcada\s+(?:cilindro|pist[oó]n)\s+tiene\s+(?:la|una)\s+masa(?![a-zà-ü])"
+    r"|\b(?:each|every\s+one)\s+with\s+(?:the|an?)\s+(?:force\s+)?amplitude\s+\$[^$]{1,60}\$"
     rf"|(?:1|一|各|単)\s?(?:気筒|シリンダ)(?:あたり|当たり|当り|分)?(?:の)?[^。、\n]{{0,10}}?質量"
     rf"|(?:往復|運動)[^。、\n]{{0,6}}質量[^。、\n]{{0,14}}(?:1|一|各)\s?(?:気筒|シリンダ)(?:あたり|当たり|当り)?",
     re.IGNORECASE,

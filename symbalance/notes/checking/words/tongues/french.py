@@ -86,6 +86,8 @@ period: période
 firing interval: intervalle (?:angulaire )?d'allumage
 firing interval: intervalle entre (?:deux )?(?:allumages|explosions)(?: successi\w*)?
 firing frequency: fréquence (?:d'allumage|§explosions)
+power strokes per revolution: temps moteurs? par tour(?: (?:de|du) (?:vilebrequin|manivelle))?
+power strokes per revolution: (?:explosions|allumages|combustions) (?:par|à chaque) (?:tour|révolution)
 counterweight: contre-?poids
 balance shaft: arbre (?:d'équilibrage|équilibreur)
 balance shafts: arbres (?:d'équilibrage|équilibreurs)

@@ -87,6 +87,8 @@ period: periodo
 firing interval: intervallo (?:angolare )?di accensione
 firing interval: intervallo (?:tra|fra) (?:due )?(?:accensioni|scoppi)(?: successiv\w*| consecutiv\w*)?
 firing frequency: frequenza (?:di accensione|degli scoppi)
+power strokes per revolution: fasi (?:utili|attive|motrici) (?:per|a|ad ogni) giro
+power strokes per revolution: (?:scoppi|accensioni|combustioni) (?:per|a|ad ogni) giro
 counterweight: contrappes[oi]
 balance shaft: albero (?:di equilibratura|equilibratore|controrotante)
 balance shafts: alberi (?:di equilibratura|equilibratori|controrotanti)

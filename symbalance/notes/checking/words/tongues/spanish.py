@@ -87,6 +87,8 @@ period: per[ií]odo
 firing interval: intervalo (?:angular )?de encendido
 firing interval: intervalo entre (?:dos )?(?:encendidos|explosiones)(?: consecutiv\w*| sucesiv\w*)?
 firing frequency: frecuencia de (?:encendido|explosi[oó]n(?:es)?)
+power strokes per revolution: carreras (?:útiles|motrices|de trabajo) por (?:vuelta|revolución)
+power strokes per revolution: (?:explosiones|encendidos|combustiones) por (?:vuelta|revolución)
 counterweight: contrapesos?
 balance shaft: (?:eje|árbol) (?:de equilibrado|equilibrador|compensador)
 balance shafts: (?:ejes|árboles) (?:de equilibrado|equilibradores|compensadores)
