@@ -48,7 +48,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import bound_letter, substitute
-from symbalance.notes.checking.meant.catalogue import Quantity
+from symbalance.notes.checking.meant.catalogue import ROLES, Quantity
 from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
 from symbalance.notes.checking.meant.changed_quantities import Traits, is_changed
 from symbalance.notes.checking.meant.claims_in_letters import (
@@ -78,6 +78,7 @@ from symbalance.notes.checking.meant.letter_units import (
 )
 from symbalance.notes.checking.meant.letters_otherwise import are_otherwise
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.other_formulas import kind_of_other
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
 from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimension
@@ -170,7 +171,7 @@ _ENGINE_SIZE = re.compile(
     re.IGNORECASE,
 )
 """The number of an engine's cylinders, which its formulas take as it is."""
-_OF_ALL = re.compile(r"\btotal|\bwhole|\bentire|\bgesamt|総|全", re.IGNORECASE)
+_OF_ALL = re.compile(r"\btotal\w*|\bwhole|\bentire|\bgesamt\w*|総|全", re.IGNORECASE)
 _COUNTED_BY_LETTER = re.compile(
     r"\$\\?[A-Za-z](?:_\{?\w{1,4}\}?)?\$[- ](?:cylinder|zylinder|cylindre|cilindr)"
     r"|(?:number of cylinders|zylinderzahl"
@@ -778,6 +779,8 @@ class NamedQuantities:
         is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
         if quantity.only is not None or (is_counted and len(self.counts) == 1):
             own = _ENGINE_SIZE.sub("", own)
+        if is_counted and any(self._counts_cylinders(n) for n in names(claim)):
+            own = _OF_ALL.sub("", own)  # the total of n cylinders has the letter n
         is_part = may_be_part(own) or _has_own_convention(claim, knowledge)
         is_part = is_scaled or (is_part and "part" not in quantity.slips)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
@@ -798,6 +801,7 @@ class NamedQuantities:
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
             if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
+            kind = kind or kind_of_other(target, targets, claim, quantity, is_part=is_part)
             if not kind or (is_scaled and kind == "one change"):
                 continue
             side = chain.sides[1]
@@ -817,10 +821,20 @@ class NamedQuantities:
             if is_one_change and fix is not None and re.fullmatch(change, fix.kind):
                 return verdict
             if kind in ("term", "power of a term") and not is_mistake:
+                kind = kind_of_other(target, targets, claim, quantity, is_part=is_part)
+            if not kind:
                 continue
             repair = Repair(kind, target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
+
+    def _counts_cylinders(self, name: str) -> bool:
+        """Tell whether words say that a letter is the number of cylinders."""
+        said = (*self.roles.words_before(name), *self.roles.said_behind(name))
+        counted = rf"\$?\\?{re.escape(plain_letter(name))}\$?\s?(?:cylinders|zylinder|気筒)"
+        return any(ROLES[cylinders.name].words.search(each) for each in said) or (
+            re.search(counted, self.page, re.IGNORECASE) is not None
+        )
 
     def _is_between_quantities(
         self, name: str, claim: Formula, named: Named, knowledge: Knowledge

@@ -140,7 +140,9 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
          effective_power / (effective_power + lost_power),
          (indicated_power - lost_power) / indicated_power),
         ("edit", "power", "minus"),
-        mistakes=(indicated_pressure / effective_pressure, indicated_power / effective_power),
+        mistakes=(indicated_pressure / effective_pressure, indicated_power / effective_power,
+                  lost_power / indicated_power, lost_pressure / indicated_pressure,
+                  lost_power / effective_power, lost_pressure / effective_pressure),
     ),
     Quantity(
         "effective pressure by the losses", letters("p P"),

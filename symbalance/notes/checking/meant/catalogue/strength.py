@@ -300,12 +300,12 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "angle of twist of a round shaft", letters("phi varphi theta vartheta psi"),
-        words(r"angle\s+of\s+twist", r"twist\s+angle", r"(?<!of )\btwists?\b(?:\s+(?:of|by)\b)?",
+        words(r"angle\s+of\s+twist", r"twist\s+angle", r"ends\s+(?:rotate|turn)\s+against\s+each\s+other(?:\s+by)?", r"(?<!of )\btwists?\b(?:\s+(?:of|by)\b)?",
         r"verdreh(?:ungs)?winkel", r"drillwinkel", r"verdrehung", r"ねじれ角"),
         (torque * length / (shear * section), 32 * torque * length / (PI * shear * diameter**4),
          2 * torque * length / (PI * shear * radius**4), torque / stiffness),
         mistakes=(torque * length / (young * polar_section),),
-        unless=words(HOLLOW, r"per\s+(?:unit\s+)?length|je länge|比ねじれ|単位長"),
+        unless=words(HOLLOW, r"(?<!twist )(?<!angle )per\s+(?:unit\s+)?length(?! is)|je länge|比ねじれ|単位長"),
     ),
     Quantity(
         "polar second moment of area of a hollow round section", letters("J I"), _POLAR_MOMENT,
@@ -385,7 +385,10 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "equivalent bending moment", letters("M"),
-        words(r"equivalent\s+bending\s+moment", r"ideelles?\s+biegemoment", r"相当曲げモーメント"),
+        words(r"equivalent\s+bending\s+moment", r"ideelles?\s+biegemoment", r"相当曲げモーメント",
+              r"(?:one|shaft|bar)\s+in\s+pure\s+bending\s+(?:with|by|under)\s+(?:the|a)\s+moment",
+              r"moment\s+(?:fléchissant|of\s+flexion|de\s+flexion)\s+(?:équivalent|idéal)",
+              r"momento\s+flettente\s+(?:ideale|equivalente)", r"momento\s+flector\s+equivalente"),
         ((bending + root(bending**2 + torque**2)) / 2,), ("factor", "edit"),
         mistakes=(root(bending**2 + torque**2) / 2, (torque + root(bending**2 + torque**2)) / 2,
                   (bending + root(bending**2 + 4 * torque**2)) / 2),
