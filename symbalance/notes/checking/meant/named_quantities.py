@@ -82,7 +82,7 @@ from symbalance.notes.checking.meant.other_formulas import kind_of_other
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
 from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimension
-from symbalance.notes.checking.meant.solved_sides import Solved, solved_sides
+from symbalance.notes.checking.meant.solved_sides import Solved, otherwise_solved, solved_sides
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, PROVED_WORDS, Verdict
@@ -322,7 +322,8 @@ class NamedQuantities:
         """
         first, second = chain.sides[0], chain.sides[1]
         found: Verdict | None = None
-        for solved in solved_sides(first.node, without_dots(second.node)[0]):
+        right = without_dots(second.node)[0]
+        for solved in (*solved_sides(first.node, right), *otherwise_solved(first.node, right)):
             sides = (Side((solved.left,), first.span), Side((solved.right,), second.span))
             self._is_solving = True
             try:
@@ -765,6 +766,7 @@ class NamedQuantities:
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
         mistakes = self._mistakes(named, claim, name, knowledge)
+        is_woven = _is_woven(claim, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
         is_other = not is_mistake and any(agrees(other, claim) for other in others)
         is_other |= self._is_between_quantities(name, claim, named, knowledge)
@@ -801,7 +803,7 @@ class NamedQuantities:
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
             if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
-            kind = kind or kind_of_other(target, targets, claim, quantity, is_part=is_part)
+            kind = kind or kind_of_other(target, targets, claim, quantity, is_part=is_part or is_woven)
             if not kind or (is_scaled and kind == "one change"):
                 continue
             side = chain.sides[1]
@@ -821,7 +823,7 @@ class NamedQuantities:
             if is_one_change and fix is not None and re.fullmatch(change, fix.kind):
                 return verdict
             if kind in ("term", "power of a term") and not is_mistake:
-                kind = kind_of_other(target, targets, claim, quantity, is_part=is_part)
+                kind = kind_of_other(target, targets, claim, quantity, is_part=is_part or is_woven)
             if not kind:
                 continue
             repair = Repair(kind, target, ((side.node, target),), 1.0)
@@ -1012,6 +1014,13 @@ def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
         and any(isinstance(part, Number) and part.value != 1 for part in each)
         for each in parts
     )
+
+
+def _is_woven(claim: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether the page gives a letter of a formula by others of it: T_e of M + T_e by √(M² + T²)."""
+    own = names(claim)
+    behind = [knowledge.definitions[n].node for n in own if n in knowledge.definitions]
+    return any(names(node) & own for node in behind if node is not None)
 
 
 def _is_of_letters(node: Formula) -> bool:

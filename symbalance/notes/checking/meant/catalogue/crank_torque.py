@@ -167,7 +167,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"arbeit\s+(?:in\s+)?einem\s+arbeitsspiel",
               r"1サイクル(?:あたり|当たり)?の仕事"),
         (4 * PI * torque, pressure * volume), ("turn", "factor", "part"),
-        mistakes=(2 * PI * torque, PI * torque),
+        mistakes=(2 * PI * torque, PI * torque, 720 * torque, 360 * torque),
         only=FOUR, unless=TWO, is_told_once=True,
     ),
     Quantity(

@@ -13,7 +13,7 @@ from symbalance.notes.checking.meant.catalogue.roles import Role, letters, words
 _FIRST = "1 a A i 0 u ein"
 _VOLUME = r"volumes?|volumen|容積|体積"
 _SPEED = r"(?:angular )?(?:speeds?|velocit(?:y|ies))|winkelgeschwindigkeit(?:en)?|角速度"
-_RATE = r"speeds?|drehzahl(?:en)?|回転(?:数|速度)"
+_RATE = r"speeds?|rpm|revolutions|drehzahl(?:en)?|回転(?:数|速度)"
 _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("adiabatic", "gamma kappa k chi n", r"(?:ratio of (?:the )?specific heats|(?:isentropic|adiabatic"
      r"|polytropic)[ -](?:exponent|index|coefficient)|heat (?:capacity )?ratio"

@@ -120,7 +120,9 @@ WHEELS: tuple[Quantity, ...] = (
         ("bare factor", "power", "minus", "part"), others=((highest_rate - lowest_rate) / (2 * rotation),),
         mistakes=((highest_rate + lowest_rate) / rotation, rotation / (highest_rate - lowest_rate),
                   (highest_rate - lowest_rate) / (highest_rate + lowest_rate),
-                  (highest_rate + lowest_rate) / (highest_rate - lowest_rate), highest_rate / lowest_rate),
+                  (highest_rate + lowest_rate) / (highest_rate - lowest_rate), highest_rate / lowest_rate,
+                  (highest_rate + lowest_rate) / (2 * (highest_rate - lowest_rate)),
+                  2 * (highest_rate + lowest_rate) / (highest_rate + lowest_rate)),
         unless=words(r"±|plus or minus|amplitude|ausschlag|振幅|half|halb"),
     ),
     Quantity(
