@@ -104,7 +104,8 @@ _ALONE = {
 }
 """Sizes whose unit says enough, where no words name them: 2.3 l."""
 _CYLINDERS = re.compile(
-    r"(?<![0-9.,])(?P<count>[1-9]|1[0-9])\$?[\s-]+(?:cylinders|zylindern?|cylindres|cilindri|cilindros)\b", re.IGNORECASE
+    r"(?<![0-9.,])(?P<count>[1-9]|1[0-9])\$?[\s-]+(?:cylinders|zylindern?|cylindres|cilindri|cilindros)\b",
+    re.IGNORECASE,
 )
 _SPEEDS = _pattern("speed", "{number}")
 _ANGULAR = _pattern("angular", "{number}")
@@ -182,15 +183,14 @@ class NamedNumbers:
             return False
         if any(isclose(r, w, rel_tol=SAME) for r in results for w in wrong):
             return True
-        if _is_of_these(named, [values[role] for role in roles], numbers):
+        if _is_of_these(named, {role: values[role] for role in roles}, numbers):
             return not any(_is_change_of_units(r / target) for r in results if r > 0)
         digits = {_digits(float(number)) for number in numbers if number}
         of_roles = [_digits(values[role]) for role in roles if role != "cylinders"]
         speeds = [_digits(values[role] * 60) for role in RATES if role in roles]
         missing = [d for d in of_roles if d not in digits]
-        if missing and missing != [_digits(values.get("rotation", 0) or 1)]:
-            return False
-        if missing and not any(d in digits for d in speeds):
+        is_of_speed = missing == [_digits(values.get("rotation", 0) or 1)]
+        if missing and not (is_of_speed and any(d in digits for d in speeds)):
             return False
         factors = [*_FACTORS, *(values[role] for role in roles if "part" not in named.quantity.slips)]
         ratios = [r / target for r in results if r > 0]
@@ -263,7 +263,9 @@ class NamedNumbers:
             if number is None:
                 continue
             for role, meant in ROLES.items():
-                if role in (*RATES, "cylinders") or (meant.indices and index_of(letter) not in meant.indices):
+                if role in (*RATES, "cylinders") or (
+                    meant.indices and index_of(letter) not in meant.indices
+                ):
                     continue
                 if self.named.roles.may_be(letter, role, {}):
                     several.setdefault(role, []).append(float(number))
@@ -276,16 +278,33 @@ class NamedNumbers:
         return single
 
 
-def _is_of_these(named: Named, sizes: list[float], numbers: list[Fraction]) -> bool:
-    """Tell whether a line has all sizes of a formula and nothing else but small whole numbers."""
-    own = {_digits(size) for size in sizes}
-    put_in = {_digits(float(n)) for n in numbers if n and (n.denominator > 1 or n > _SMALL)}
-    return len(own) > 1 and own == put_in and not may_be_part(named.sentence)
+def _is_of_these(named: Named, sizes: dict[str, float], numbers: list[Fraction]) -> bool:
+    """Tell whether a line has all sizes of a formula and nothing else but small or converting numbers."""
+    if may_be_part(named.sentence) or len(sizes) < 2:
+        return False
+    put_in = {_digits(float(n)) for n in numbers if n}
+    plain = {_digits(float(n)) for n in numbers if n and _stands_for_itself(n)}
+    own: set[int] = set()
+    for role, size in sizes.items():
+        ways = [size, 60 * size] if role in RATES else [size]
+        found = {_digits(way) for way in ways} & put_in
+        is_small = role == "cylinders" and Fraction(size) in numbers
+        if not found and not is_small:
+            return False
+        own |= found
+    return put_in <= own | plain
+
+
+def _stands_for_itself(number: Fraction) -> bool:
+    """Tell whether a number may be a plain factor, or turns minutes into seconds."""
+    return number.denominator == 1 and (number <= _SMALL or number in (30, 60, 120))
 
 
 def _is_change_of_units(ratio: float) -> bool:
     """Tell whether a number is a power of ten or of sixty, or made of both."""
-    return any(isclose(ratio * 60**k, 10 ** round(log10(ratio * 60**k)), rel_tol=SAME) for k in (-2, -1, 0, 1, 2))
+    return any(
+        isclose(ratio * 60**k, 10 ** round(log10(ratio * 60**k)), rel_tol=SAME) for k in (-2, -1, 0, 1, 2)
+    )
 
 
 def _numbers(pattern: re.Pattern[str], text: str, kind: str) -> Iterator[float]:

@@ -777,14 +777,7 @@ class NamedQuantities:
         is_scaled = is_of_more or any(
             self.roles.is_multiplied(n) for n in outside_calls(claim) if not knowledge.meanings.get(n)
         )
-        own = _without_letters_named(named.sentence, names(claim))
-        is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
-        if quantity.only is not None or (is_counted and len(self.counts) == 1):
-            own = _ENGINE_SIZE.sub("", own)
-        if is_counted and any(self._counts_cylinders(n) for n in names(claim)):
-            own = _OF_ALL.sub("", own)  # the total of n cylinders has the letter n
-        is_part = may_be_part(own) or _has_own_convention(claim, knowledge)
-        is_part = is_scaled or (is_part and "part" not in quantity.slips)
+        is_part = is_scaled or self._is_part(named, claim, knowledge)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
         counted = self._targets(
             tuple(node for node in by_number if node not in quantity.formulas),
@@ -798,12 +791,13 @@ class NamedQuantities:
             return describe(self.document, chain, 0, Decision(REFUTED, reason))
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
+            other = kind_of_other(target, targets, claim, quantity, is_part=is_part or is_woven)
             kind = slip_of(target, claim, slips, is_part)
             kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
             if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
-            kind = kind or kind_of_other(target, targets, claim, quantity, is_part=is_part or is_woven)
+            kind = kind or other
             if not kind or (is_scaled and kind == "one change"):
                 continue
             side = chain.sides[1]
@@ -823,12 +817,24 @@ class NamedQuantities:
             if is_one_change and fix is not None and re.fullmatch(change, fix.kind):
                 return verdict
             if kind in ("term", "power of a term") and not is_mistake:
-                kind = kind_of_other(target, targets, claim, quantity, is_part=is_part or is_woven)
+                kind = other
             if not kind:
                 continue
             repair = Repair(kind, target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
+
+    def _is_part(self, named: Named, claim: Formula, knowledge: Knowledge) -> bool:
+        """Tell whether words or definitions make of a quantity a part or a multiple of it."""
+        quantity = named.quantity
+        own = _without_letters_named(named.sentence, names(claim))
+        is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
+        if quantity.only is not None or (is_counted and len(self.counts) == 1):
+            own = _ENGINE_SIZE.sub("", own)
+        if is_counted and any(self._counts_cylinders(n) for n in names(claim)):
+            own = _OF_ALL.sub("", own)  # the total of n cylinders has the letter n
+        is_part = may_be_part(own) or _has_own_convention(claim, knowledge)
+        return is_part and "part" not in quantity.slips
 
     def _counts_cylinders(self, name: str) -> bool:
         """Tell whether words say that a letter is the number of cylinders."""

@@ -42,9 +42,9 @@ from symbalance.notes.checking.meant.catalogue.bearings import BEARINGS
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
-from symbalance.notes.checking.meant.catalogue.engine_rates import ENGINE_RATES
 from symbalance.notes.checking.meant.catalogue.cycle_roles import CYCLE_ROLES
 from symbalance.notes.checking.meant.catalogue.damping_numbers import DAMPING_NUMBERS
+from symbalance.notes.checking.meant.catalogue.engine_rates import ENGINE_RATES
 from symbalance.notes.checking.meant.catalogue.fatigue import FATIGUE
 from symbalance.notes.checking.meant.catalogue.forced import FORCED
 from symbalance.notes.checking.meant.catalogue.gas_cycles import GAS_CYCLES

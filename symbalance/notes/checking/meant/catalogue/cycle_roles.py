@@ -35,6 +35,6 @@ CYCLE_ROLES: Mapping[str, Role] = {
     for name, usual, phrase, *indices in _ENTRIES
 }
 (
-    adiabatic, first_temperature, first_pressure, second_pressure, first_volume, second_volume, first_omega,
-    second_omega, highest_rate, lowest_rate, gain,
+    adiabatic, first_temperature, first_pressure, second_pressure, first_volume, second_volume,
+    first_omega, second_omega, highest_rate, lowest_rate, gain,
 ) = map(Name, CYCLE_ROLES)  # fmt: skip

@@ -1,6 +1,6 @@
 """How little a vibration is damped, as one number: the quality factor, the decrement of a light damping.
 
-With them the second mode of three equal discs, whose speed is the root of a number times that of the first.
+With them the second mode of three equal discs, √3 times as fast as the first.
 """
 
 from __future__ import annotations
@@ -25,24 +25,29 @@ from symbalance.notes.checking.meant.catalogue.strength import both
 
 _EXACT_DECREMENT = 2 * PI * damping_ratio / root(1 - damping_ratio**2)
 _LIGHT = words(
-    r"\b(?:small|light(?:ly)?|weak(?:ly)?|slight(?:ly)?|low)\b", r"schwach\w*", r"gering\w*", r"kleine\w*",
-    r"\\ll\b", r"≪", r"<<", r"小さ", r"微小", r"弱い", r"faibl\w*", r"petite?s?", r"debol\w*", r"piccol\w*",
+    r"\b(?:small|light(?:ly)?|weak(?:ly)?|slight(?:ly)?|low)\b", r"schwach\w*", r"gering\w*",
+    r"kleine\w*",
+    r"\\ll\b", r"≪", r"<<", r"小さ", r"微小", r"弱い", r"faibl\w*", r"petite?s?", r"debol\w*",
+    r"piccol\w*",
     r"pequeñ\w*", r"débil\w*", r"approx\w*", r"roughly", r"näherung\w*", r"近似", r"environ", r"\bnearly",
 )  # fmt: skip
 _THREE_EQUAL = words(
-    r"(?:three|3)\s+(?:equal|identical|like|similar)\s+(?:\w+\s+)?(?:dis[ck]s?|inertias|masses|rotors|flywheels)",
+    r"(?:three|3)\s+(?:equal|identical|like|similar)\s+(?:\w+\s+)?(?:dis[ck]s?|inertias|masses|rotors"
+    r"|flywheels)",
     r"drei\s+(?:gleichen?[nr]?|identischen?[nr]?)\s+(?:scheiben|massen|drehmassen|schwungmassen"
     r"|schwungscheiben)",
     r"(?:等しい|同じ|同一の)(?:3|三|３)[つ個枚]?の?(?:円板|慣性)",
     r"(?:3|三|３)[つ個枚]の(?:等しい|同じ|同一の)(?:円板|慣性)",
     r"trois\s+(?:disques|volants|inerties)\s+(?:identiques|égaux|égales)",
-    r"tre\s+(?:dischi|volani)\s+(?:uguali|identici)", r"tres\s+(?:discos|volantes)\s+(?:iguales|idénticos)",
+    r"tre\s+(?:dischi|volani)\s+(?:uguali|identici)", r"tres\s+(?:discos|volantes)\s+(?:iguales"
+    r"|idénticos)",
 )  # fmt: skip
 
 DAMPING_NUMBERS: tuple[Quantity, ...] = (
     Quantity(
         "quality factor", letters("Q"),
-        words(r"(?:quality|q)[ -]?factor", r"gütefaktor", r"\bgüte\b", r"facteur\s+(?:de|of)\s+(?:qualité|surtension)",
+        words(r"(?:quality|q)[ -]?factor", r"gütefaktor", r"\bgüte\b", r"facteur\s+(?:de"
+            r"|of)\s+(?:qualité|surtension)",
               r"fattore\s+(?:di|of)\s+(?:qualità|merito)", r"factor\s+(?:de|of)\s+calidad", r"[QＱ]値"),
         (1 / (2 * damping_ratio), root(mass * stiffness) / damping, mass * omega / damping,
          root(inertia * stiffness) / damping, inertia * omega / damping, stiffness / (damping * omega),
@@ -59,7 +64,8 @@ DAMPING_NUMBERS: tuple[Quantity, ...] = (
         words(r"damping\s+(?:ratio|factor)", r"lehr'?s?ches\s+dämpfungsmaß", r"dämpfungs(?:grad|maß)",
               r"減衰比", r"taux\s+d.amortissement"),
         (1 / (2 * gain),), ("factor", "power", "part"), others=(1 / gain,),
-        only=words(r"(?:quality|q)[ -]?factor|güte|facteur\s+(?:de|of)\s+qualité|fattore\s+(?:di|of)|factor\s+(?:de|of)\s+calidad"
+        only=words(r"(?:quality|q)[ -]?factor|güte|facteur\s+(?:de|of)\s+qualité|fattore\s+(?:di|of)"
+            r"|factor\s+(?:de|of)\s+calidad"
                    r"|[QＱ]値"),
         unless=words(r"loss\s+factor|verlustfaktor|hysteretic|損失係数"),
     ),
@@ -70,7 +76,8 @@ DAMPING_NUMBERS: tuple[Quantity, ...] = (
         (2 * PI * damping_ratio,), ("factor", "turn", "power"),
         approximate=(2 * PI * damping_ratio,),
         others=(_EXACT_DECREMENT,),
-        mistakes=(PI * damping_ratio, damping_ratio / (2 * PI), 2 * PI / damping_ratio, 2 * damping_ratio),
+        mistakes=(PI * damping_ratio, damping_ratio / (2 * PI), 2 * PI / damping_ratio,
+        2 * damping_ratio),
         only=_LIGHT,
         unless=words(r"half\s+(?:a\s+)?(?:cycle|period)|halbe\s+(?:periode|schwingung)|半周期|半サイクル"
                      r"|demi-?période|successive\s+(?:extrem|peaks\s+of\s+opposite)"),
@@ -87,7 +94,8 @@ DAMPING_NUMBERS: tuple[Quantity, ...] = (
                   root(3 * stiffness / (2 * inertia)), root(9 * stiffness / inertia)),
         only=both(_THREE_EQUAL),
         unless=words(r"fixed|clamped|eingespannt|固定|einspannung|damp|gedämpft|減衰|four\b|vier\b"
-                     r"|middle\s+(?:one|dis[ck])\s+(?:is|has)\s+(?:twice|double|half|larger|heavier|an?other)"
+                     r"|middle\s+(?:one|dis[ck])\s+(?:is|has)\s+(?:twice|double|half|larger|heavier"
+                     r"|an?other)"
                      r"|doppelt|unequal|different\s+(?:stiff|inert)|geared|getriebe"),
         is_told_once=True,
     ),

@@ -18,7 +18,9 @@ _ADIABAT = words(
     r"[pP]\s?\\?,?\s?[Vv]\s?\^\s?\{?\s?\\?(?:gamma|kappa|k|n)\b",
     r"T\s?\\?,?\s?[Vv]\s?\^\s?\{?\s?\\?(?:gamma|kappa|k|n)\b",
 )  # fmt: skip
-_COMPRESSED = words(r"compress\w*", r"verdicht\w*", r"komprim\w*", r"kompress\w*", r"圧縮", r"compr[ei]\w*")
+_COMPRESSED = words(
+    r"compress\w*", r"verdicht\w*", r"komprim\w*", r"kompress\w*", r"圧縮", r"compr[ei]\w*"
+)
 _NO_COMPRESSION = (
     r"expan[ds]\w*|expansion|détente|espansione|expansión|膨張|compressor|kompressor|verdichter\b"
     r"|compresseur|turbin\w*|タービン|isothermal?|isotherm\w*|等温|pressure\s+ratio|druckverhältnis"
@@ -33,7 +35,8 @@ GAS_CYCLES: tuple[Quantity, ...] = (
         "thermal efficiency of the Otto cycle", letters("eta"),
         words(r"(?:(?:thermal|ideal|theoretical|air[- ]standard|cycle)\s+)*efficiency",
               r"(?:thermische[rn]?\s+|theoretische[rn]?\s+|idealer?\s+)?wirkungsgrad",
-              r"(?:rendement|efficiency)(?:\s+(?:thermique|thermodynamique|théorique))*", r"(?:理論)?(?:熱)?効率",
+              r"(?:rendement|efficiency)(?:\s+(?:thermique|thermodynamique|théorique))*",
+              r"(?:理論)?(?:熱)?効率",
               r"(?:rendimento|efficiency)(?:\s+(?:termico|ideale|teorico))*",
               r"(?:rendimiento|efficiency)(?:\s+(?:térmico|ideal|teórico))*"),
         (1 - 1 / compression ** (adiabatic - 1), 1 - compression ** (1 - adiabatic)), ("edit",),
@@ -48,7 +51,8 @@ GAS_CYCLES: tuple[Quantity, ...] = (
     Quantity(
         "temperature at the end of an adiabatic compression", letters("T vartheta Theta"),
         words(r"(?:(?:absolute|final|end)\s+)*temperature", r"(?:end|verdichtungsend)?temperatur",
-              r"température(?:\s+(?:finale|absolue))*", r"temperatura(?:\s+(?:finale?|assoluta|absoluta))*",
+              r"température(?:\s+(?:finale|absolue))*", r"temperatura(?:\s+(?:finale?|assoluta"
+              r"|absoluta))*",
               r"(?:終わりの|終了時の)?(?:絶対)?温度"),
         (first_temperature * compression ** (adiabatic - 1),
          first_temperature * _RATIO ** (adiabatic - 1),
@@ -59,7 +63,8 @@ GAS_CYCLES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "pressure at the end of an adiabatic compression", letters("p P"),
-        words(r"(?:(?:absolute|final|end|compression)\s+)*pressure", r"(?:end|verdichtungsend|kompressions)?druck",
+        words(r"(?:(?:absolute|final|end|compression)\s+)*pressure", r"(?:end|verdichtungsend"
+            r"|kompressions)?druck",
               r"pression(?:\s+(?:finale|absolue))*", r"pressione(?:\s+finale)?", r"presión(?:\s+final)?",
               r"(?:終わりの|終了時の|圧縮)?圧力?"),
         (first_pressure * compression**adiabatic, first_pressure * _RATIO**adiabatic),
