@@ -17,6 +17,7 @@ from tests.independent.catalogue_cases import CASES as OTHER_CASES
 from tests.independent.round_body_cases import ROUND_BODIES
 from tests.independent.section_and_firing_cases import SECTIONS_AND_FIRING
 from tests.independent.vibration_cases import VIBRATIONS
+from tests.independent.wheel_and_cycle_cases import WHEELS_AND_CYCLES
 
 F = Fraction
 R, INNER = F(2, 100), F(1, 100)
@@ -276,6 +277,7 @@ CASES = {
     **ROUND_BODIES,
     **VIBRATIONS,
     **SECTIONS_AND_FIRING,
+    **WHEELS_AND_CYCLES,
 }
 
 

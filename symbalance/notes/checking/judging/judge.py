@@ -157,6 +157,7 @@ from symbalance.notes.checking.steps.letters_set_in_motion import leave_letters_
 from symbalance.notes.checking.steps.listed_roots import unless_wrong_in_list
 from symbalance.notes.checking.steps.means_of_extremes import unless_mean_of_extremes
 from symbalance.notes.checking.steps.named_case_again import return_to_case
+from symbalance.notes.checking.steps.named_conditions import unless_named_otherwise
 from symbalance.notes.checking.steps.nearest_equation import (
     by_nearest_equation,
     by_nearest_formulas,
@@ -350,6 +351,7 @@ _LAST: tuple[_Look, ...] = (
     by_line_before,
     unless_other_things_change,
     with_omega_of_speed,
+    unless_named_otherwise,
     unless_size_fails,
     unless_other_extreme,
     unless_with_own_pi,

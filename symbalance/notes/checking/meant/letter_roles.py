@@ -254,6 +254,8 @@ class LetterRoles:
         )
         part = rf"(?<=[^\W\d_]{{3}})\s[\s$\\(]{{0,4}}{sign_of(letter)}\s?/\s?[2-9]"
         is_named = bool(self._roles_named(letter)[0])
+        if any(ROLES["diameter"].words.search(each) for each in self.words_before(letter)):
+            part = part.removesuffix("[2-9]") + "[3-9]"  # D/2 of a diameter D is only the radius
         is_multiple = not is_named and re.search(multiple, self.text) is not None
         return is_multiple or re.search(part, self.text) is not None
 

@@ -26,7 +26,7 @@ from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.meant.catalogue import ROLES
 from symbalance.notes.checking.meant.given_numbers import number_in_example
-from symbalance.notes.checking.meant.letter_roles import ROD_ENDS
+from symbalance.notes.checking.meant.letter_roles import ROD_ENDS, index_of
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities, may_be_part
 from symbalance.notes.checking.meant.quantity_words import Named
 from symbalance.notes.checking.units.dimensions import written_unit
@@ -44,7 +44,7 @@ _UNITS = {
                "dm^3": 1e-3, "cm³": 1e-6, "cm^3": 1e-6, "cc": 1e-6, "m³": 1, "m^3": 1},
     "mass": {"kg": 1, "g": 1e-3},
     "speed": {"rpm": 1 / 60, "min⁻¹": 1 / 60, "1/min": 1 / 60, "U/min": 1 / 60, "r/min": 1 / 60,
-    "rev/min": 1 / 60},
+    "rev/min": 1 / 60, "min^{-1}": 1 / 60, "min^-1": 1 / 60, "tr/min": 1 / 60, "giri/min": 1 / 60},
     "angular": {"rad/s": 1},
     "power": {"W": 1, "kW": 1e3, "MW": 1e6},
     "energy": {"J": 1, "kJ": 1e3, "N m": 1, "Nm": 1},
@@ -58,7 +58,7 @@ _KINDS = {
     "pressure": "pressure effective_pressure indicated_pressure lost_pressure",
     "volume": "volume swept",
     "mass": "mass",
-    "speed": "rotation",
+    "speed": "rotation turn_rate",
     "angular": "omega",
     "power": "power effective_power indicated_power lost_power",
     "energy": "swing excess cycle_work kinetic",
@@ -67,11 +67,15 @@ _KINDS = {
     "force": "piston_force any_force",
     "ratio": "efficiency fluctuation",
 }
+RATES = ("rotation", "turn_rate")
+"""Roles of a speed of rotation, which has the same number for both."""
 _KIND_OF = {role: kind for kind, roles in _KINDS.items() for role in roles.split()}
 _NUMBER = r"(?P<number>(?<![0-9.,])[0-9]{1,6}(?:[.,][0-9]{1,6})?)(?![0-9])"
 _GAP = r"[^.;\n0-9]{0,25}?"
 _THOUSANDS = re.compile(r"[0-9]{1,3}[.,][0-9]{3}")
 _FACTORS = (2, 3, 4, 6, 8, pi, 2 * pi, 4 * pi)
+_SMALL = 9
+"""Whole numbers up to it stand for themselves: the 2 of ½ J ω²."""
 NEAR, SAME = 0.02, 0.004
 """How near a line comes to the quantity by rounding, and how near to a wrong value to be that."""
 
@@ -94,7 +98,7 @@ def _word_pattern(role: str) -> re.Pattern[str]:
     return _pattern(kind, rf"(?:(?i:{words})){gap}{{number}}")
 
 
-_PATTERNS = {role: _word_pattern(role) for role in _KIND_OF if role not in ("rotation", "omega")}
+_PATTERNS = {role: _word_pattern(role) for role in _KIND_OF if role not in (*RATES, "omega")}
 _ALONE = {
     role: _pattern(_KIND_OF[role], "{number}")
     for role in ("volume", "pressure", "torque", "power", "mass")
@@ -102,6 +106,10 @@ _ALONE = {
 """Sizes whose unit says enough, where no words name them: 2.3 l."""
 _LONG = _pattern("length", r"{number}\s+(?i:long\b|lang\b|de\s+long\b)")
 """A connecting rod is 200 mm long."""
+_CYLINDERS = re.compile(
+    r"(?<![0-9.,])(?P<count>[1-9]|1[0-9])\$?[\s-]+(?:cylinders|zylindern?|cylindres|cilindri|cilindros)\b",
+    re.IGNORECASE,
+)
 _SPEEDS = _pattern("speed", "{number}")
 _ANGULAR = _pattern("angular", "{number}")
 
@@ -180,13 +188,14 @@ class NamedNumbers:
             return False
         if any(isclose(r, w, rel_tol=SAME) for r in results for w in wrong):
             return True
+        if _is_of_these(named, {role: values[role] for role in roles}, numbers):
+            return not any(_is_change_of_units(r / target) for r in results if r > 0)
         digits = {_digits(float(number)) for number in numbers if number}
         of_roles = [_digits(values[role]) for role in roles if role != "cylinders"]
-        speeds = [_digits(values["rotation"] * 60)] if "rotation" in roles else []
+        speeds = [_digits(values[role] * 60) for role in RATES if role in roles]
         missing = [d for d in of_roles if d not in digits]
-        if missing and missing != [_digits(values.get("rotation", 0) or 1)]:
-            return False
-        if missing and not any(d in digits for d in speeds):
+        is_of_speed = missing == [_digits(values.get("rotation", 0) or 1)]
+        if missing and not (is_of_speed and any(d in digits for d in speeds)):
             return False
         factors = [*_FACTORS, *(values[role] for role in roles if "part" not in named.quantity.slips)]
         ratios = [r / target for r in results if r > 0]
@@ -217,14 +226,14 @@ class NamedNumbers:
         cylinders is put in where the line has it.
         """
         has_count = Fraction(values.get("cylinders", 0)) in numbers
-        faster = {**values, "rotation": 60 * values.get("rotation", 0)}
+        faster = {**values, **{role: 60 * values.get(role, 0) for role in RATES}}
         rows = [
             (names(node), value, _value(node, faster))
             for node in named.quantity.formulas
             if (value := _value(node, values)) is not None and value > 0
         ]
         for own, value, of_minutes in rows:
-            is_per_minute = "rotation" in own and any(
+            is_per_minute = bool(own & {*RATES}) and any(
                 other == own and third != value and of_minutes and isclose(of_minutes, third)
                 for other, third, _ in rows
             )
@@ -243,7 +252,8 @@ class NamedNumbers:
         several: dict[str, list[float]] = {
             role: list(_numbers(pattern, text, _KIND_OF[role])) for role, pattern in _PATTERNS.items()
         }
-        several["rotation"] = list(_numbers(_SPEEDS, text, "speed"))
+        for role in RATES:
+            several[role] = list(_numbers(_SPEEDS, text, "speed"))
         several["rod"] = several["rod"] or list(_numbers(_LONG, text, "length"))
         for role, pattern in _ALONE.items():
             several[role] = several[role] or list(_numbers(pattern, text, _KIND_OF[role]))
@@ -251,6 +261,7 @@ class NamedNumbers:
         several["omega"] = several["omega"] or [2 * pi * each for each in several["rotation"]]
         counts = [count for match in ENGINE.finditer(text) if (count := engine_of(match)) is not None]
         several["cylinders"] = [float(count) for count, _ in counts if count > 1]
+        several["cylinders"] += [float(match["count"]) for match in _CYLINDERS.finditer(text)]
         stated = self.named.stated.numbers.get("cylinders")
         if stated is not None and not several["cylinders"]:
             several["cylinders"] = [float(stated)]
@@ -260,8 +271,12 @@ class NamedNumbers:
             number = number_in_example(definition.node, knowledge)
             if number is None:
                 continue
-            for role in ROLES:
-                if role not in ("rotation", "cylinders") and self.named.roles.may_be(letter, role, {}):
+            for role, meant in ROLES.items():
+                if role in (*RATES, "cylinders") or (
+                    meant.indices and index_of(letter) not in meant.indices
+                ):
+                    continue
+                if self.named.roles.may_be(letter, role, {}):
                     several.setdefault(role, []).append(float(number))
         single: dict[str, float] = {}
         for role, numbers in several.items():
@@ -275,6 +290,35 @@ class NamedNumbers:
 def _is_of_count(named: Named) -> bool:
     """Tell whether a quantity is known by the number of cylinders alone."""
     return all(names(node) == {"cylinders"} for node in named.quantity.formulas)
+
+
+def _is_of_these(named: Named, sizes: dict[str, float], numbers: list[Fraction]) -> bool:
+    """Tell whether a line has all sizes of a formula and nothing else but small or converting numbers."""
+    if may_be_part(named.sentence) or len(sizes) < 2:
+        return False
+    put_in = {_digits(float(n)) for n in numbers if n}
+    plain = {_digits(float(n)) for n in numbers if n and _stands_for_itself(n)}
+    own: set[int] = set()
+    for role, size in sizes.items():
+        ways = [size, 60 * size] if role in RATES else [size]
+        found = {_digits(way) for way in ways} & put_in
+        is_small = role == "cylinders" and Fraction(size) in numbers
+        if not found and not is_small:
+            return False
+        own |= found
+    return put_in <= own | plain
+
+
+def _stands_for_itself(number: Fraction) -> bool:
+    """Tell whether a number may be a plain factor, or turns minutes into seconds."""
+    return number.denominator == 1 and (number <= _SMALL or number in (30, 60, 120))
+
+
+def _is_change_of_units(ratio: float) -> bool:
+    """Tell whether a number is a power of ten or of sixty, or made of both."""
+    return any(
+        isclose(ratio * 60**k, 10 ** round(log10(ratio * 60**k)), rel_tol=SAME) for k in (-2, -1, 0, 1, 2)
+    )
 
 
 def _numbers(pattern: re.Pattern[str], text: str, kind: str) -> Iterator[float]:

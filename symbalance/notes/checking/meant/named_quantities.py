@@ -48,7 +48,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.substitution import bound_letter, substitute
-from symbalance.notes.checking.meant.catalogue import Quantity
+from symbalance.notes.checking.meant.catalogue import ROLES, Quantity
 from symbalance.notes.checking.meant.catalogue.roles import cylinders, net_force
 from symbalance.notes.checking.meant.changed_quantities import Traits, is_changed
 from symbalance.notes.checking.meant.claims_in_letters import (
@@ -78,10 +78,11 @@ from symbalance.notes.checking.meant.letter_units import (
 )
 from symbalance.notes.checking.meant.letters_otherwise import are_otherwise
 from symbalance.notes.checking.meant.meant_words import NOBODY
+from symbalance.notes.checking.meant.other_formulas import kind_of_other
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
 from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimension
-from symbalance.notes.checking.meant.solved_sides import Solved, solved_sides
+from symbalance.notes.checking.meant.solved_sides import Solved, otherwise_solved, solved_sides
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, PROVED_WORDS, Verdict
@@ -171,7 +172,7 @@ _ENGINE_SIZE = re.compile(
     re.IGNORECASE,
 )
 """The number of an engine's cylinders, which its formulas take as it is."""
-_OF_ALL = re.compile(r"\btotal|\bwhole|\bentire|\bgesamt|総|全", re.IGNORECASE)
+_OF_ALL = re.compile(r"\btotal\w*|\bwhole|\bentire|\bgesamt\w*|総|全", re.IGNORECASE)
 _COUNTED_BY_LETTER = re.compile(
     r"\$\\?[A-Za-z](?:_\{?\w{1,4}\}?)?\$[- ](?:cylinder|zylinder|cylindre|cilindr)"
     r"|(?:number of cylinders|zylinderzahl"
@@ -346,7 +347,8 @@ class NamedQuantities:
         """
         first, second = chain.sides[0], chain.sides[1]
         found: Verdict | None = None
-        for solved in solved_sides(first.node, without_dots(second.node)[0]):
+        right = without_dots(second.node)[0]
+        for solved in (*solved_sides(first.node, right), *otherwise_solved(first.node, right)):
             sides = (Side((solved.left,), first.span), Side((solved.right,), second.span))
             self._is_solving = True
             try:
@@ -791,6 +793,7 @@ class NamedQuantities:
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
         mistakes = self._mistakes(named, claim, name, knowledge)
+        is_woven = _is_woven(claim, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
         is_other = not is_mistake and any(agrees(other, claim) for other in others)
         is_other |= self._is_between_quantities(name, claim, named, knowledge)
@@ -801,12 +804,7 @@ class NamedQuantities:
         is_scaled = is_of_more or any(
             self.roles.is_multiplied(n) for n in outside_calls(claim) if not knowledge.meanings.get(n)
         )
-        own = _without_letters_named(named.sentence, names(claim))
-        is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
-        if quantity.only is not None or (is_counted and len(self.counts) == 1):
-            own = _ENGINE_SIZE.sub("", own)
-        is_part = may_be_part(own) or _has_own_convention(claim, knowledge)
-        is_part = is_scaled or (is_part and "part" not in quantity.slips)
+        is_part = is_scaled or self._is_part(named, claim, knowledge)
         by_number = self.stated.with_numbers(quantity.formulas, quantity.stated)
         counted = self._targets(
             tuple(node for node in by_number if node not in quantity.formulas),
@@ -820,11 +818,13 @@ class NamedQuantities:
             return describe(self.document, chain, 0, Decision(REFUTED, reason))
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
+            other = kind_of_other(target, targets, claim, quantity, is_part=is_part or is_woven)
             kind = slip_of(target, claim, slips, is_part)
             kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
             if not kind and is_mistake and not (is_part and is_share) and not is_scaled:
                 kind = "another formula"
+            kind = kind or other
             if not kind or (is_scaled and kind == "one change"):
                 continue
             side = chain.sides[1]
@@ -844,10 +844,32 @@ class NamedQuantities:
             if is_one_change and fix is not None and re.fullmatch(change, fix.kind):
                 return verdict
             if kind in ("term", "power of a term") and not is_mistake:
+                kind = other
+            if not kind:
                 continue
             repair = Repair(kind, target, ((side.node, target),), 1.0)
             return replace(verdict, fix=fix_of(repair, self.document, side))
         return None
+
+    def _is_part(self, named: Named, claim: Formula, knowledge: Knowledge) -> bool:
+        """Tell whether words or definitions make of a quantity a part or a multiple of it."""
+        quantity = named.quantity
+        own = _without_letters_named(named.sentence, names(claim))
+        is_counted = any(cylinders.name in names(formula) for formula in quantity.formulas)
+        if quantity.only is not None or (is_counted and len(self.counts) == 1):
+            own = _ENGINE_SIZE.sub("", own)
+        if is_counted and any(self._counts_cylinders(n) for n in names(claim)):
+            own = _OF_ALL.sub("", own)  # the total of n cylinders has the letter n
+        is_part = may_be_part(own) or _has_own_convention(claim, knowledge)
+        return is_part and "part" not in quantity.slips
+
+    def _counts_cylinders(self, name: str) -> bool:
+        """Tell whether words say that a letter is the number of cylinders."""
+        said = (*self.roles.words_before(name), *self.roles.said_behind(name))
+        counted = rf"\$?\\?{re.escape(plain_letter(name))}\$?\s?(?:cylinders|zylinder|気筒)"
+        return any(ROLES[cylinders.name].words.search(each) for each in said) or (
+            re.search(counted, self.page, re.IGNORECASE) is not None
+        )
 
     def _is_between_quantities(
         self, name: str, claim: Formula, named: Named, knowledge: Knowledge
@@ -1025,6 +1047,13 @@ def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
         and any(isinstance(part, Number) and part.value != 1 for part in each)
         for each in parts
     )
+
+
+def _is_woven(claim: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether the page gives a letter of a formula by others of it: T_e of M + T_e by √(M² + T²)."""
+    own = names(claim)
+    behind = [knowledge.definitions[n].node for n in own if n in knowledge.definitions]
+    return any(names(node) & own for node in behind if node is not None)
 
 
 def _is_of_letters(node: Formula) -> bool:

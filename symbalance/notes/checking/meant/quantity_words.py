@@ -97,6 +97,12 @@ _ASKS = re.compile(
     re.IGNORECASE,
 )
 """In a sentence that asks for a quantity, which the next one gives."""
+_THIS_GIVES = re.compile(
+    r"(?<![^\W\d_])(?:this|that|it|which|the\s+integral)\s+(?:gives|yields)|(?:dies|das|man|daraus)\s+(?:ergibt|liefert|erhält|folgt)"
+    r"|(?:cela|ce\s+qui)\s+donne|on\s+(?:obtient|trouve)|si\s+(?:ottiene|trova)|se\s+obtiene(?![^\W\d_])|を?得る|得られる",
+    re.IGNORECASE,
+)
+"""Words for what the sentence before has led to, which names it."""
 _LEAD = re.compile(r"(?:\*\*|__)?([^.:\n]{3,60}?)(?:\*\*|__)?[.:](?=\s)")
 """The opening words of a paragraph, set off as a title."""
 _ITS = re.compile(r"\b(?:its|whose|their|sein|seine|ihr|dessen|deren)\b|その", re.IGNORECASE)
@@ -299,6 +305,7 @@ class QuantityWords:
         own = [quantity for _, _, quantity in self._phrases.get(before, ()) if stem in quantity.letters]
         is_bare = length <= BARE or (length <= NOUNLESS and not own and not _OF_IT.search(before))
         lead = (self._lead_in(chain) or self._wanted(chain)) if is_bare else ""
+        lead = lead or (self._given_by_this(chain, before) if is_bare else "")
         noun = _last_noun(before)
         for quantity in QUANTITIES:
             if stem not in quantity.letters:
@@ -400,6 +407,16 @@ class QuantityWords:
         sentences = SENTENCE_END.split(bare(self.document.text[first : chain.start]))
         asked = sentences[-2] if len(sentences) > 1 else ""
         return self.glossary.english(asked) if _ASKS.search(asked) else ""
+
+    def _given_by_this(self, chain: Chain, before: str) -> str:
+        """Return the sentence before a relation's if its own only says: about a diameter this gives …"""
+        above = self.sections.chain_before(chain.start)
+        first = max(chain.start - PARAGRAPH, 0 if above is None else above.end)
+        paragraph = _BLANK.split(bare(self.document.text[first : chain.start]))[-1]
+        sentences = SENTENCE_END.split(paragraph)
+        if len(sentences) < 2 or not _THIS_GIVES.search(before):
+            return ""
+        return self.glossary.english(sentences[-2])
 
     def _by_words_around(
         self, chain: Chain, before: str, stem: str, places: Places, sentence: str

@@ -20,12 +20,15 @@ from symbalance.document.formula import (
     Power,
     Product,
     Quotient,
+    Sum,
     names,
 )
 from symbalance.notes.checking.meant.letter_roles import index_of, stem_of
 
 RATIO = "∕"
 """What stands for the letter of a ratio of two letters of one kind, c/c_c."""
+_SECTIONS, _EDGES = frozenset("IJ"), frozenset({"v", "c", "y", "e", "r"})
+"""Letters of second moments of area, and of the distance of the outermost fibre."""
 _ONE = Number(Fraction(1))
 _MOST_FACTORS = 5
 """Factors of a side that is solved for one of them."""
@@ -102,6 +105,27 @@ def _moment_of(parts: list[tuple[Formula, Fraction]], right: Formula) -> Solved 
     product = Product(pairs[0])
     name = " ".join(each.name for each in pairs[0])
     return Solved(name, product, simple_product(right, _ONE / moved), moved)
+
+
+def otherwise_solved(left: Formula, right: Formula) -> Iterator[Solved]:
+    """Yield what a left side is the value of: the modulus I/v, and N of a sum that is 1/N or N.
+
+    >>> [s.name for s in otherwise_solved(Name("I") / Name("v"), Name("x"))]
+    ['W']
+    >>> [s.name for s in otherwise_solved(Name("a") + Name("b"), 1 / Name("N"))]
+    ['N']
+    """
+    match left:
+        case Quotient(numerator=Name(name=section), denominator=Name(name=edge)):
+            is_modulus = stem_of(section) in _SECTIONS and stem_of(edge) in _EDGES
+            if is_modulus and not {section, edge, "W"} & names(right):
+                yield Solved("W", Name("W"), right, _ONE)
+    match right:
+        case Name(name=name) if isinstance(left, Sum) and name not in names(left):
+            yield Solved(name, right, left, _ONE)
+        case Quotient(numerator=Number(value=1), denominator=Name(name=name)):
+            if isinstance(left, Sum) and name not in names(left):
+                yield Solved(name, Name(name), _ONE / left, _ONE, is_below=True)
 
 
 def _kind(letter: str) -> str:

@@ -28,6 +28,10 @@ formula by a route of its own (integrals over the section, eigenvalues, the path
     round_bodies  half discs and rings, their masses and inertia, the stress of a turning rim
     bearings      the rating life of rolling bearings
     plain_quotients  one letter over another: stress, density, stiffness
+    cycle_roles   letters of gas cycles and of two speeds
+    wheels        thin rims, what a flywheel gives off, compression ratio, safety against yielding
+    gas_cycles    the efficiency of the Otto cycle, adiabatic compression
+    damping_numbers  the quality factor, the decrement of a light damping
     counterweights  moments of counterweights and balance shafts, the shapes of weights
 """
 
@@ -38,9 +42,12 @@ from symbalance.notes.checking.meant.catalogue.bearings import BEARINGS
 from symbalance.notes.checking.meant.catalogue.counterweights import COUNTERWEIGHTS
 from symbalance.notes.checking.meant.catalogue.crank_drive import CRANK_DRIVE
 from symbalance.notes.checking.meant.catalogue.crank_torque import CRANK_TORQUE
+from symbalance.notes.checking.meant.catalogue.cycle_roles import CYCLE_ROLES
+from symbalance.notes.checking.meant.catalogue.damping_numbers import DAMPING_NUMBERS
 from symbalance.notes.checking.meant.catalogue.engine_rates import ENGINE_RATES
 from symbalance.notes.checking.meant.catalogue.fatigue import FATIGUE
 from symbalance.notes.checking.meant.catalogue.forced import FORCED
+from symbalance.notes.checking.meant.catalogue.gas_cycles import GAS_CYCLES
 from symbalance.notes.checking.meant.catalogue.inertia import INERTIA
 from symbalance.notes.checking.meant.catalogue.locomotives import LOCOMOTIVES
 from symbalance.notes.checking.meant.catalogue.machine_parts import PARTS
@@ -60,13 +67,15 @@ from symbalance.notes.checking.meant.catalogue.trains import TRAINS
 from symbalance.notes.checking.meant.catalogue.two_cylinders import TWO_CYLINDERS
 from symbalance.notes.checking.meant.catalogue.vibration import VIBRATION
 from symbalance.notes.checking.meant.catalogue.vibration_roles import VIBRATION_ROLES
+from symbalance.notes.checking.meant.catalogue.wheels import WHEELS
 from symbalance.notes.checking.meant.catalogue.work import WORK
 
-ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES, **VIBRATION_ROLES}
+ROLES: Mapping[str, Role] = {**FIRST_ROLES, **SHAFT_ROLES, **VIBRATION_ROLES, **CYCLE_ROLES}
 """What letters stand for, each role once."""
 QUANTITIES = (
     *STRENGTH, *PARTS, *FATIGUE, *VIBRATION, *FORCED, *RESONANCE, *TRAINS, *INERTIA, *CRANK_DRIVE,
     *WORK, *CRANK_TORQUE, *BALANCE, *LOCOMOTIVES, *TWO_CYLINDERS, *COUNTERWEIGHTS, *ENGINE_RATES,
     *ROUND_BODIES, *TORSION, *OSCILLATIONS, *ROTORS, *BEARINGS, *PLAIN_QUOTIENTS,
+    *GAS_CYCLES, *DAMPING_NUMBERS, *WHEELS,
 )  # fmt: skip
 """All quantities, each name once."""

@@ -142,7 +142,8 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
         ("edit", "power", "minus"),
         mistakes=(indicated_pressure / effective_pressure, indicated_power / effective_power,
                   lost_power / indicated_power, lost_pressure / indicated_pressure,
-                  effective_power / lost_power, lost_power / effective_power),
+                  effective_power / lost_power, lost_power / effective_power,
+                  lost_pressure / effective_pressure),
         unless=words(r"share|fraction|minus|verlustgrad|anteil|\bpart\b|taux|quota|割合"),
     ),
     Quantity(
@@ -168,7 +169,7 @@ CRANK_TORQUE: tuple[Quantity, ...] = (
               r"arbeit\s+(?:in\s+)?einem\s+arbeitsspiel",
               r"1サイクル(?:あたり|当たり)?の仕事"),
         (4 * PI * torque, pressure * volume), ("turn", "factor", "part"),
-        mistakes=(2 * PI * torque, PI * torque),
+        mistakes=(2 * PI * torque, PI * torque, 720 * torque, 360 * torque),
         only=FOUR, unless=TWO, is_told_once=True,
     ),
     Quantity(

@@ -33,6 +33,11 @@ _FIRING_RATE = words(
     r"fréquence\s+d.allumage",
     r"frecuencia\s+de\s+(?:encendido|explosi[oó]n)", r"毎秒の(?:点火|爆発)回数",
 )  # fmt: skip
+_OF_ONE_CYLINDER = (
+    r"per\s+cylinder|je\s+zylinder|(?:of|for|from)\s+(?:each|one|a\s+single)\s+cylinder|each\s+cylinder['’]s|\bbanks?\b"
+    r"|(?:eines|jedes)\s+(?:einzelnen\s+)?zylinders|シリンダごと"
+)
+"""Words by which a rate is that of one cylinder's ignitions."""
 _PER_TURN = words(
     r"(?:power|working|firing)\s+strokes\s+(?:per|in\s+one"
     r"|in\s+each)\s+(?:crank\s*shaft\s+)?(?:revolution|turn|turn_rate)",
@@ -112,8 +117,8 @@ ENGINE_RATES: tuple[Quantity, ...] = (
     Quantity(
         "firing frequency of a four-stroke engine", letters("f nu F"), _FIRING_RATE,
         (turn_rate * cylinders / 2, turn_rate * cylinders / 120, omega * cylinders / (4 * PI)),
-        ("any", "factor", "part"), only=_FOUR,
-        unless=words(_TWO.pattern, r"half|each|order|ordnung|次数|per\s+cylinder|je\s+zylinder"),
+        ("any", "factor", "part", "power"), only=_FOUR,
+        unless=words(_TWO.pattern, _OF_ONE_CYLINDER, r"\bhalf|order|ordnung|次数"),
         is_told_once=True,
     ),
     Quantity(

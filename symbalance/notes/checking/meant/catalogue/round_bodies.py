@@ -38,6 +38,12 @@ _NO_DISC = (
     r"|sphere|kugel|second\s+moment\s+of\s+area|flächenträgheit|断面"
 )
 
+_ABOUT_AXLE = (
+    r"axis\s+of\s+(?:rotation|revolution|symmetry)|(?:its|the)\s+(?:own\s+)?(?:axle|axis)\b"
+    r"|drehachse|symmetrieachse|autour\s+de\s+son\s+axe|(?:中心|回転)軸"
+)
+"""Words for the axis of a disc about which it turns, by which no diameter is meant."""
+
 ROUND_BODIES: tuple[Quantity, ...] = (
     Quantity(
         "hoop stress of a turning rim", letters("sigma S f"),
@@ -79,7 +85,7 @@ ROUND_BODIES: tuple[Quantity, ...] = (
               for node in (PI * density * b * radius**4 / 4, PI * density * b * diameter**4 / 64)),
         only=words(r"\A(?=(?s:.*?)(?:densit|dichte|密度|ρ|\\rho))(?s:.*?)"
                    r"(?:\bdis[ck]s?\b|scheibe|円板|円盤|cylinder|zylinder|flywheel|schwung)"),
-        unless=words(_NO_DISC, r"\brims?\b|kranz"),
+        unless=words(_NO_DISC, r"\brims?\b|kranz", _ABOUT_AXLE),
     ),
     Quantity(
         "moment of inertia of a hollow disc by its density", letters("J I Theta"), _HOLLOW_DISC,

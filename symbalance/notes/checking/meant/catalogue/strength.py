@@ -73,7 +73,8 @@ _MODULUS_POLAR = (
 )  # fmt: skip
 _BENDING_STRESS = words(
     r"bending\s+stress(?:es)?", r"flexural\s+stress", r"biegespannung", r"曲げ応力",
-    r"stress(?:es)?(?:\s+(?:largest|maximum|maximale))?\s+(?:of|in|due\s+to|from|by|en|de)\s+(?:bending|fle(?:x|ss)i[oó]ne?)",
+    r"stress(?:es)?(?:\s+(?:largest|maximum|maximale))?\s+(?:of|in|due\s+to|from|by|en|de)\s+(?:bending"
+    r"|fle(?:x|ss)i[oó]ne?)",
 )  # fmt: skip
 _EQUIVALENT = words(
     r"(?:equivalent|reduced)\s+stress",
@@ -160,7 +161,8 @@ _NO_ANNULUS = words(
 )  # fmt: skip
 _RECTANGLE = words(
     r"rectang|rechteck|長方形|矩形|角材|角形断面|flat bar|flachstab"
-    r"|(?:width|breadth)\b[^.;]{0,60}\b(?:thickness|height|depth)|thickness\b[^.;]{0,60}\b(?:width|breadth)"
+    r"|(?:width|breadth)\b[^.;]{0,60}\b(?:thickness|height|depth)|thickness\b[^.;]{0,60}\b(?:width"
+    r"|breadth)"
     r"|\bwide\b[^.;]{0,40}\b(?:thick|high|deep)|\bbreit\b[^.;]{0,40}\b(?:dick|hoch)"
     r"|breite\b[^.;]{0,60}(?:höhe|dicke)|幅[^。]{0,30}(?:高さ|厚さ)"
 )
@@ -313,12 +315,14 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "angle of twist of a round shaft", letters("phi varphi theta vartheta psi"),
-        words(r"angle\s+of\s+twist", r"twist\s+angle", r"(?<!of )\btwists?\b(?:\s+(?:of|by)\b)?",
+        words(r"angle\s+of\s+twist", r"twist\s+angle", r"ends\s+(?:rotate"
+            r"|turn)\s+against\s+each\s+other(?:\s+by)?", r"(?<!of )\btwists?\b(?:\s+(?:of|by)\b)?",
         r"verdreh(?:ungs)?winkel", r"drillwinkel", r"verdrehung", r"ねじれ角"),
         (torque * length / (shear * section), 32 * torque * length / (PI * shear * diameter**4),
          2 * torque * length / (PI * shear * radius**4), torque / stiffness),
         mistakes=(torque * length / (young * polar_section),),
-        unless=words(HOLLOW, r"per\s+(?:unit\s+)?length|je länge|比ねじれ|単位長"),
+        unless=words(HOLLOW, r"(?<!twist )(?<!angle )per\s+(?:unit\s+)?length(?! is)|je länge|比ねじれ"
+            r"|単位長"),
     ),
     Quantity(
         "polar second moment of area of a hollow round section", letters("J I"), _POLAR_MOMENT,
@@ -398,7 +402,10 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "equivalent bending moment", letters("M"),
-        words(r"equivalent\s+bending\s+moment", r"ideelles?\s+biegemoment", r"相当曲げモーメント"),
+        words(r"equivalent\s+bending\s+moment", r"ideelles?\s+biegemoment", r"相当曲げモーメント",
+              r"(?:one|shaft|bar)\s+in\s+pure\s+bending\s+(?:with|by|under)\s+(?:the|a)\s+moment",
+              r"moment\s+(?:fléchissant|of\s+flexion|de\s+flexion)\s+(?:équivalent|idéal)",
+              r"momento\s+flettente\s+(?:ideale|equivalente)", r"momento\s+flector\s+equivalente"),
         ((bending + root(bending**2 + torque**2)) / 2,), ("factor", "edit"),
         mistakes=(root(bending**2 + torque**2) / 2, (torque + root(bending**2 + torque**2)) / 2,
                   (bending + root(bending**2 + 4 * torque**2)) / 2),
@@ -429,7 +436,8 @@ STRENGTH: tuple[Quantity, ...] = (
         words(r"hoop\s+stress", r"circumferential\s+stress", r"(?:umfangs|tangential)spannung",
               r"tensi[oó]n\s+(?:circunferencial|tangencial)", r"tensione\s+circonferenziale",
               r"contrainte\s+(?:circonférentielle|orthoradiale|tangentielle)",
-              r"stress\s+(?:circonférentielle|orthoradiale|tangentielle|circonferenziale|circunferencial)",
+              r"stress\s+(?:circonférentielle|orthoradiale|tangentielle|circonferenziale"
+              r"|circunferencial)",
               r"(?:フープ|円周|周方向)応力"),
         (pressure * (outer_radius**2 + inner_radius**2) / (outer_radius**2 - inner_radius**2),
          pressure * (outer**2 + inner**2) / (outer**2 - inner**2)),
@@ -447,7 +455,8 @@ STRENGTH: tuple[Quantity, ...] = (
                         r"|dickwandig|厚肉"
                         r"|pared gruesa|parete spessa|paroi épaisse|épais"),
                   words(r"\binner|\binside|\bbore\b|\binterior|intérieur|interna?\b|innen|内面|内壁")),
-        unless=words(r"outer\s+(?:surface|fibre|wall)|at\s+the\s+outside|außen(?:seite|wand|rand)|external\s+pressure"
+        unless=words(r"outer\s+(?:surface|fibre|wall)|at\s+the\s+outside|außen(?:seite|wand|rand)"
+            r"|external\s+pressure"
                      r"|außendruck|shrink|schrump|外面|外圧|radial\s+stress|\bmean\b|average|mittlere"),
         is_told_once=True,
     ),
@@ -459,7 +468,8 @@ STRENGTH: tuple[Quantity, ...] = (
                 "power"),
         mistakes=(6 * bending / (width**2 * wall), bending / (6 * width * wall**2)),
         only=both(_RECTANGLE, words(
-            r"(?:direction|sense)\s+of\s+(?:its|the)\s+thickness|across\s+(?:its|the)\s+thickness|parallel\s+to\s+the\s+"
+            r"(?:direction|sense)\s+of\s+(?:its|the)\s+thickness|across\s+(?:its|the)\s+thickness"
+            r"|parallel\s+to\s+the\s+"
             r"(?:side|width|breadth)|flat-?wise|in\s+dickenrichtung|über\s+die\s+dicke|厚さ方向")),
         is_told_once=True, unless=words(_NOT_RECTANGLE, r"equivalent|vergleich|相当|plasti"
                                                         r"|edge-?wise|hochkant"),

@@ -90,7 +90,7 @@ TORSION: tuple[Quantity, ...] = (
             root(stiffness / _TWO_ENDS),
         ),
         only=both(_THREE, _IN_PHASE),
-        unless=words(r"fixed|clamped|eingespannt|固定|damp|gedämpft|減衰|gear|getriebe"),
+        unless=words(r"three\s+(?:equal|identical)|drei\s+gleiche|fixed|clamped|eingespannt|固定|damp|gedämpft|減衰|gear|getriebe"),
     ),
     Quantity(
         "natural angular frequency with the inertia of the shaft itself", letters("omega Omega w p"),

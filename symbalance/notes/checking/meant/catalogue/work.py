@@ -40,7 +40,8 @@ TWO = words(
     r"|2ストローク|2サイクル|二サイクル"
 )
 _CYCLES = (
-    r"working strokes|power strokes|cycles per|arbeitsspiele? (?:je|pro)|explosions|firings|camshaft"
+    r"working strokes|power strokes|(?<!/2\$ )(?<!/2 )cycles per|arbeitsspiele? (?:je|pro)|explosions"
+    r"|firings|camshaft"
     r"|nockenwelle"
     r"|仕事回数"
 )
@@ -59,7 +60,7 @@ _MEAN_TORQUE = words(
 _MEAN_PRESSURE = words(
     r"(?:brake\s+|indicated\s+)?mean\s+(?:effective\s+)?pressure", r"\b[bi]?mep\b",
     r"mittlerer?\s+(?:effektiver?\s+|indizierter?\s+)?(?:arbeits|kolben|nutz|innen)?druck",
-    r"mitteldruck", r"(?:正味|図示)?平均有効圧力?",
+    r"(?:effektive[rnms]?\s+|indizierte[rnms]?\s+)?mitteldruck", r"(?:正味|図示)?平均有効圧力?",
 )  # fmt: skip
 _POWER = words(
     r"(?:indicated\s+|brake\s+|effective\s+)(?<!horse)\bpower\b",
@@ -93,13 +94,16 @@ WORK: tuple[Quantity, ...] = (
         r"\bleistung", r"動力", r"出力"),
         (torque * omega, 2 * PI * rotation * torque, PI * rotation * torque / 30, force * velocity,
          swing * rotation, swing * rotation / 60),
-        slips=("factor", "power", "turn"), unless=words(FOUR.pattern, r"indicated|indiziert|図示|loss"
-            r"|verlust|損失|specific"),
+        slips=("bare factor", "power", "turn"), unless=words(FOUR.pattern, r"indicated|indiziert|図示"
+            r"|loss"
+            r"|verlust|損失|specific|\bstall|no-load|leerlauf|ramp|linear|triang|dreieck|per\s+wheel"
+            r"|complex|phasor"),
     ),
     Quantity(
         "kinetic energy", letters("E T K W U"),
         words(r"kinetic\s+energy", r"rotational\s+energy",
-        r"(?:it|flywheel|wheel|disc|rotor)\s+stores", r"(?:stored|gespeicherte)\s+energ(?:y|ie)",
+        r"(?:it|flywheel|wheel|disc|rotor)\s+(?:stores|holds|contains)", r"speichert(?:\s+(?:es|sie"
+        r"|er))?", r"(?:stored|gespeicherte)\s+energ(?:y|ie)",
         r"energy\s+(?:that\s+is\s+)?stored", r"énergie\s+emmagasinée", r"energía\s+almacenada",
         r"energia\s+immagazzinata", r"蓄え(?:られる|られた|る|た)エネルギー?",
         r"(?:kinetische|rotations|bewegungs)-?\s*energie",
