@@ -793,7 +793,6 @@ class NamedQuantities:
         others = self._targets(quantity.others, claim, name, named, knowledge)
         others += self._targets(quantity.approximate, claim, name, named, knowledge)
         mistakes = self._mistakes(named, claim, name, knowledge)
-        is_woven = _is_woven(claim, knowledge)
         is_mistake = any(agrees(each, claim) for each in mistakes)
         is_other = not is_mistake and any(agrees(other, claim) for other in others)
         is_other |= self._is_between_quantities(name, claim, named, knowledge)
@@ -818,7 +817,10 @@ class NamedQuantities:
             return describe(self.document, chain, 0, Decision(REFUTED, reason))
         for target in targets:
             slips = (*quantity.slips, "factor") if target in counted else quantity.slips
-            other = kind_of_other(target, targets, claim, quantity, is_part=is_part or is_woven)
+            other = kind_of_other(
+                target, targets, claim, quantity, f"{named.heading} {named.around} {named.sentence}",
+                is_part=is_part or _is_woven(claim, knowledge),
+            )  # fmt: skip
             kind = slip_of(target, claim, slips, is_part)
             kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)

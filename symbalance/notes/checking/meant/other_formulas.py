@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import isfinite
 
-from symbalance.document.formula import Formula, Name, Negative, Sum, names
+from symbalance.document.formula import Formula, Name, Negative, Sum, names, walk
 from symbalance.notes.checking.meant.catalogue import Quantity
 from symbalance.notes.checking.meant.formula_slips import POINTS, agrees, differs, is_multiple, value_at
 from symbalance.text import lazy_patterns as re
@@ -21,6 +21,12 @@ _EITHER_WAY = re.compile(
     r"(?<!compression )(?<!damping )ratio(?! at)|slenderness|stiffness|complian|share|(?<!quality )factor"
 )
 """Names of quantities that some have one way up and some the other."""
+_JOINED = re.compile(
+    r"rigidly|fixed\s+(?:to|on)\b|bolted|together|starr\s|fest\s+(?:miteinander\s+)?verbunden|gemeinsam|剛に|一体"
+    r"|rigid[ae]ment[e]?|solidaire|solidal",
+    re.IGNORECASE,
+)
+"""Words of bodies that move as one: their inertias are added."""
 _CONVENTIONS = frozenset({"ratio", "slenderness", "slender", "share"})
 """Roles of letters that some have upside down: λ is r/l or l/r."""
 _SCALES = (Fraction(1, 1000), Fraction(1, 30), Fraction(30), Fraction(1000))
@@ -29,7 +35,13 @@ _NEAR = 0.02
 
 
 def kind_of_other(
-    target: Formula, targets: Sequence[Formula], claim: Formula, quantity: Quantity, *, is_part: bool
+    target: Formula,
+    targets: Sequence[Formula],
+    claim: Formula,
+    quantity: Quantity,
+    around: str,
+    *,
+    is_part: bool,
 ) -> str:
     """Return how a formula differs from the standard one of a quantity; "" where it may be meant.
 
@@ -41,6 +53,9 @@ def kind_of_other(
     is_upside_down = not _EITHER_WAY.search(quantity.name) and is_multiple(1 / target, claim)
     if is_upside_down and not any(is_multiple(each, claim) for each in targets):
         return INVERTED
+    is_of_any_shape = quantity.only is None and quantity.name.startswith("moment of inertia")
+    if is_of_any_shape or (_has_sum_of_letters(claim) and _JOINED.search(around)):
+        return ""
     if any(_CONVENTIONS & names(node) for node in quantity.formulas):
         return ""
     if is_part or _is_sum_of_letters(claim) or not differs(target, claim):
@@ -56,6 +71,11 @@ def kind_of_other(
 def _is_sum_of_letters(node: Formula) -> bool:
     """Tell whether a formula is m_p + m_B, whose letters may be shares already."""
     return isinstance(node, Sum) and all(isinstance(term, Name) for term in node.terms)
+
+
+def _has_sum_of_letters(node: Formula) -> bool:
+    """Tell whether a formula has a sum of letters alone in it, J_1 + J_2."""
+    return any(_is_sum_of_letters(part) for part in walk(node))
 
 
 def _is_near_somewhere(target: Formula, claim: Formula) -> bool:

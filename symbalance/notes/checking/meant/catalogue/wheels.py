@@ -133,9 +133,10 @@ WHEELS: tuple[Quantity, ...] = (
     ),
     Quantity(
         "coefficient of fluctuation by the revolutions", letters("delta C epsilon K k"),
-        words(r"(?:degree|coefficient)\s+of\s+(?:cyclic\s+)?(?:irregularity|fluctuation"
-            r"|speed\s+fluctuation)(?:\s+of\s+(?:the\s+)?speed)?",
-              r"ungleichförmigkeits?(?:grad)?", r"(?:速度)?変動率", r"回転不整率",
+        words(
+            r"(?:degree|coefficient)\s+of\s+(?:irregularity|fluctuation|speed fluctuation"
+            r"|cyclic\s+irregularity)",
+            r"ungleichförmigkeits?(?:grad)?", r"(?:速度)?変動率", r"回転不整率",
               r"coefficient\s+d.irrégularité", r"(?:coeficiente|grado)\s+(?:de|di|of)\s+(?:fluctuación"
               r"|irregula\w+)"),
         ((highest_rate - lowest_rate) / rotation,
