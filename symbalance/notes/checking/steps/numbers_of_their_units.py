@@ -52,7 +52,9 @@ _REACH = 900
 _ROUNDED = 0.004
 """Parts by which a printed constant, 9550 for 9549.3, may be rounded."""
 _POWERS = product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2))
-_SLIPS = (2.0, 0.5, *(60.0**a * math.tau**b for a, b in _POWERS if a or b))
+_SLIPS = tuple(60.0**a * math.tau**b for a, b in _POWERS if a or b)
+_HALVES = (2.0, 0.5)
+"""Slips of π for 2π, where two units are turned into one another."""
 _POINTS = (1.0, 1.7, 2.3)
 
 
@@ -122,7 +124,8 @@ def _of_one_speed(
         allowed.append(_between_quantities(head, own[0]))
     if any(math.isclose(factor, each, rel_tol=_ROUNDED) for each in allowed):
         return ""
-    if not any(math.isclose(factor / right_factor, slip, rel_tol=_ROUNDED) for slip in _SLIPS):
+    slips = _SLIPS if first.unit.scale == second.unit.scale else (*_SLIPS, *_HALVES)
+    if not any(math.isclose(factor / right_factor, slip, rel_tol=_ROUNDED) for slip in slips):
         return ""
     shown = f"{plain_letter(own[0])} in {second.unit.text} and {plain_letter(head)} in {first.unit.text}"
     return f"with {shown} the factor is {right_factor:.4g}"
