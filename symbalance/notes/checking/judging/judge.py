@@ -243,6 +243,7 @@ from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.units.turns_of_results import refute_turns
 from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
 from symbalance.notes.checking.units.unit_by_noun import is_label, unit_asked_for
+from symbalance.notes.checking.units.units_for_all import result_in_unit_for_all
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONDITIONAL,
@@ -518,10 +519,13 @@ class Judge:
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
-            if verdict.verdict in PROVED_WORDS and not self.table_rows.has_judged(chain):
+            assumed = "; ".join(v.assumption for v in verdicts)
+            result = result_in_unit_for_all(chain, k, self.document, assumed)
+            is_as_printed = result is chain.sides[k + 1].node and not self.table_rows.has_judged(chain)
+            if verdict.verdict in PROVED_WORDS and is_as_printed:
                 self.state.results.note(chain, k, self.state.definitions.given_anew)
             if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
-                self.state.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
+                self.state.definitions.round(chain.sides[0].node.name, chain, result)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
