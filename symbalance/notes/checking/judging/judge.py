@@ -103,6 +103,7 @@ from symbalance.notes.checking.steps.candidate_solutions import unless_candidate
 from symbalance.notes.checking.steps.changing_letters import changing_letters, without_numbers
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
+from symbalance.notes.checking.steps.components_in_words import unless_another_component
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.conditions_restated import unless_condition_again
 from symbalance.notes.checking.steps.cosines_of_no_angle import unless_of_no_angle
@@ -168,6 +169,7 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
+from symbalance.notes.checking.steps.orders_at_odds import unless_of_named_order
 from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.percentages import unless_percent_of_it
 from symbalance.notes.checking.steps.places_in_words import unless_at_another_place
@@ -348,6 +350,8 @@ _LAST: tuple[_Look, ...] = (
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,
+    unless_another_component,
+    unless_of_named_order,
     unless_neither_sign,
 )
 """What does so once a relation has been read in its case and its row."""
