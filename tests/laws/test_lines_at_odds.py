@@ -119,3 +119,37 @@ Beim Vierzylinder addieren sich die Momente der vier Zylinder.
 def test_what_is_multiplied_out_is_the_same_formula(words, third, verdict):
     page = TORQUE.replace("{words}", words).replace("{third}", third)
     assert check(page).data()["links"][-1]["verdict"] == verdict
+
+
+RULE = """The centrifugal force is $P = m r \\omega^2$, and $\\omega = 2\\pi N/60$.
+
+{words} $P = {formula}$.
+"""
+
+
+@pytest.mark.parametrize(
+    "words", ["Putting this in we obtain the rule", "Einsetzen ergibt", "これを代入すると"]
+)
+@pytest.mark.parametrize(("formula", "is_wrong"), [("0.01097 m r N^2", False), ("0.01097 m r N", True)])
+def test_what_is_put_in_keeps_the_power_of_its_letter(words, formula, is_wrong):
+    page = RULE.replace("{words}", words).replace("{formula}", formula)
+    assert (check(page).data()["links"][-1]["verdict"] == "refuted") is is_wrong
+
+
+WEIGHT = """We take $g = 32.2$ feet per second per second. The centrifugal force is
+
+$$P = (W/g) \\omega^2 r$$
+
+If it makes N revolutions per minute, $\\omega = 2\\pi N/60 = 0.1047 N$, and putting this in we obtain
+
+$$P = FORMULA$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("formula", "is_wrong"),
+    [("0.000341 W r N^2", False), ("0.000341 W r N", True), ("0.000341 W r^2 N^2", True)],
+)
+def test_a_rule_in_other_units_keeps_the_powers_of_its_letters(formula, is_wrong):
+    verdict = check(WEIGHT.replace("FORMULA", formula)).data()["links"][-1]["verdict"]
+    assert (verdict == "refuted") is is_wrong

@@ -49,3 +49,19 @@ def test_a_formula_without_a_normal_form_may_be_given_again():
 def test_a_cube_root_has_its_number_in_a_later_sentence(number, is_wrong):
     page = f"$V = 500$ cm³ and $D = \\sqrt[3]{{4V/\\pi}}$.\n\nSo $D = {number}$ cm.\n"
     assert (_last(page) == "refuted") is is_wrong
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "verdict"),
+    [
+        (r"50\cos 60^\circ + \sqrt{200^2 - 50^2\sin^2 60^\circ}", r"25 + \sqrt{40000 - 1875}", "holds"),
+        (r"50\cos 60^\circ + \sqrt{200^2 - 50^2\sin^2 60^\circ}", r"25 + \sqrt{40000 - 1876}", "refuted"),
+        (r"1 + \sqrt{\sin^2 60^\circ + 1/4}", "2", "holds"),
+        (r"1 + \sqrt{\sin^2 30^\circ + 1/4}", "2", "refuted"),
+        (r"1 + \sqrt{1 - \lambda^2\sin^2 60^\circ}", r"1 + \sqrt{1 - \frac34\lambda^2}", "holds"),
+        (r"1 + \sqrt{1 + x^2\sin^2 60^\circ}", r"1 + \sqrt{1 + \frac34 x^2}", "holds"),
+        (r"1 + \sqrt{1 + x^2\sin^2 60^\circ}", r"1 + \sqrt{1 + \frac14 x^2}", "refuted"),
+    ],
+)
+def test_sines_of_given_angles_under_a_root_are_their_numbers(left, right, verdict):
+    assert _last(f"$\\lambda$ is small and positive.\n\n$${left} = {right}$$\n") == verdict

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import pytest
 
+import symbalance as sb
 from tests.checked_pages import last_verdict
 
 PROVED = ("holds", "holds_to_order", "conditional")
 FORCE = "With $m = 0.5$ kg, $r = 40$ mm, $\\omega = 300$ rad/s the force is $m r\\omega^2 = 1800$ N.\n\n"
 TOP_FR = "Au point mort haut, $\\theta = 0$ et $\\cos\\theta = 1$. La bielle est longue.\n\n"
 TOP_IT = "Al punto morto superiore $\\theta = 0$ e $\\cos\\theta = 1$. La biella è lunga.\n\n"
+POSITION = (
+    "Given: crank radius $R = 50$ mm, rod length $L = 200$ mm, crank angle $\\theta = 60^\\circ$ "
+    "measured from TDC.\n\n"
+    "$$s = R\\cos\\theta + \\sqrt{L^2 - R^2\\sin^2\\theta} = 220.26\\text{ mm}$$\n\n"
+)
+AT_TOP = POSITION + "At TDC $s_0 = R + L = 250$ mm, so the piston has moved $x = s_0 - s = NUMBER$ mm."
 RANGES = "$M = M_0\\sin\\theta$ for $0 \\le \\theta \\le \\pi$, $M = 0$ for $\\pi < \\theta < 2\\pi$.\n\n"
 TABLE = (
     "$n = 3000$ rpm, $s = 80$ mm\n\n"
@@ -89,6 +96,30 @@ OF_THE_SAME = [
     "$J_1 = J_2$.\n\nFor different discs $J_1 + J_2 = J_2 + J_1$.",
     RANGES + "$\\int_{\\pi}^{2\\pi} M\\,d\\theta = 0$",
 ]
+
+
+@pytest.mark.parametrize(("number", "is_right"), [("29.74", True), ("27.94", False)])
+def test_the_place_of_a_letter_with_an_index_is_not_that_of_the_letter_beside_it(
+    tmp_path, number, is_right
+):
+    assert (last_verdict(tmp_path, AT_TOP.replace("NUMBER", number)) in PROVED) is is_right
+
+
+def test_words_that_begin_the_next_sentence_are_not_of_the_display_above(tmp_path):
+    assert last_verdict(tmp_path, POSITION) in PROVED
+    below = sb.check(POSITION + "At TDC the rod is in line with the crank.\n", {}).data()["links"]
+    assert below[-1]["verdict"] in PROVED
+    behind = sb.check(POSITION.rstrip() + " at TDC.\n", {}).data()["links"]
+    assert behind[-1]["verdict"] not in PROVED
+
+
+@pytest.mark.parametrize("number", ["220.26", "440.52"])
+def test_the_place_of_a_letter_with_an_index_is_that_of_others(tmp_path, number):
+    factor = "" if number == "220.26" else "2 "
+    page = (
+        POSITION + f"At TDC $s_0 = R + L = 250$ mm, and $L + {factor}s = {200 + float(number):.2f}$ mm."
+    )
+    assert last_verdict(tmp_path, page) not in PROVED
 
 
 @pytest.mark.parametrize(("page", "right", "wrong"), OTHER_WORDS)

@@ -20,6 +20,7 @@ from symbalance.notes.algebra.domain import (
     TooLargeError,
 )
 from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.zero import with_numbers_worked_out
 
 SMALL_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
 LARGEST_FACTORED = 10**12
@@ -50,6 +51,7 @@ def root(form: Form) -> Form:
 
 
 def _root_of_polynomial(domain: Domain, square: Polynomial) -> Form:
+    square = with_numbers_worked_out(domain, square)
     if poly.is_rational(square):
         return root_of_rational(domain, square.get(ONE, Fraction(0)))
     monomial, coefficient = _leading(domain, square)

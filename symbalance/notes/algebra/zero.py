@@ -42,6 +42,37 @@ def is_zero(domain: Domain, polynomial: Polynomial) -> bool | None:
     return False if any(answer is False for answer in answers) else None
 
 
+def with_numbers_worked_out(domain: Domain, polynomial: Polynomial) -> Polynomial:
+    """Return a polynomial with the numbers in it that are rational as rationals: 1 - λ² sin² 60°.
+
+    Its sin² 60° is a sum of turns, e^(2 pi i/3) and e^(-2 pi i/3) among them, and comes to 3/4.
+    """
+    if all(not monomial or monomial[0][0] != TURN for monomial in polynomial):
+        return polynomial
+    groups: dict[Monomial, list[tuple[Monomial, Fraction]]] = defaultdict(list)
+    for monomial, coefficient in polynomial.items():
+        number, rest = _split(domain, monomial)
+        groups[rest].append((number, coefficient))
+    result: Polynomial = {}
+    for rest, terms in groups.items():
+        value = _rational(domain, terms)
+        if value is None:
+            result |= {tuple(sorted((*number, *rest))): c for number, c in terms}
+        elif value:
+            result[rest] = value
+    return result
+
+
+def _rational(domain: Domain, terms: list[tuple[Monomial, Fraction]]) -> Fraction | None:
+    """Return what a sum of turns and roots of primes comes to where it is a rational, else None."""
+    try:
+        total = sum((_phasor(domain, monomial).scaled(c) for monomial, c in terms), Phasor(1, {}))
+        normal = total.normal
+    except (SymbalanceError, _NotCyclotomicError):
+        return None
+    return Fraction(normal.get(0, 0)) if normal.keys() <= {0} else None
+
+
 def _split(domain: Domain, monomial: Monomial) -> tuple[Monomial, Monomial]:
     """Return the part of a monomial that is a number, and the rest."""
     number = tuple((g, e) for g, e in monomial if g == TURN or domain.generators[g].kind == "prime")

@@ -105,6 +105,7 @@ from symbalance.notes.checking.steps.changing_letters import changing_letters, w
 from symbalance.notes.checking.steps.chosen_sizes import leave_choice
 from symbalance.notes.checking.steps.closed_orders import unless_closed
 from symbalance.notes.checking.steps.compared_coefficients import unless_of_other_coefficients
+from symbalance.notes.checking.steps.components_in_words import unless_another_component
 from symbalance.notes.checking.steps.conditions_by_values import unless_condition_fails
 from symbalance.notes.checking.steps.conditions_restated import unless_condition_again
 from symbalance.notes.checking.steps.consequences_in_words import unless_no_consequence
@@ -180,6 +181,7 @@ from symbalance.notes.checking.steps.open_cases import (
     past_cases,
     without_cases,
 )
+from symbalance.notes.checking.steps.orders_at_odds import unless_of_named_order
 from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.percentages import unless_percent_of_it
 from symbalance.notes.checking.steps.places_in_words import unless_at_another_place
@@ -262,6 +264,7 @@ from symbalance.notes.checking.units.turns_in_radians import with_turns
 from symbalance.notes.checking.units.turns_of_results import refute_turns
 from symbalance.notes.checking.units.unit_behind_formula import unit_behind_formula
 from symbalance.notes.checking.units.unit_by_noun import is_label, unit_asked_for
+from symbalance.notes.checking.units.units_for_all import result_in_unit_for_all
 from symbalance.notes.checking.verdicts import (
     CONDITION,
     CONDITIONAL,
@@ -377,6 +380,8 @@ _LAST: tuple[_Look, ...] = (
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,
+    unless_another_component,
+    unless_of_named_order,
     unless_neither_sign,
     unless_half_fluctuation,
     unless_turns_upside_down,
@@ -553,10 +558,13 @@ class Judge:
             self.state.given_numbers.note(chain, k, verdict)
             if verdict.is_unjudged:
                 self.state.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
-            if verdict.verdict in PROVED_WORDS and not self.table_rows.has_judged(chain):
+            assumed = "; ".join(v.assumption for v in verdicts)
+            result = result_in_unit_for_all(chain, k, self.document, assumed)
+            is_as_printed = result is chain.sides[k + 1].node and not self.table_rows.has_judged(chain)
+            if verdict.verdict in PROVED_WORDS and is_as_printed:
                 self.state.results.note(chain, k, self.state.definitions.given_anew)
             if k and verdict.verdict in PROVED_WORDS and isinstance(chain.sides[0].node, Name):
-                self.state.definitions.round(chain.sides[0].node.name, chain, chain.sides[k + 1].node)
+                self.state.definitions.round(chain.sides[0].node.name, chain, result)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1

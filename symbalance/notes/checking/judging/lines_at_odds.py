@@ -25,6 +25,7 @@ from symbalance.document.formula import (
     walk,
 )
 from symbalance.notes.algebra.letters_behind import names_behind
+from symbalance.notes.algebra.values import letters
 from symbalance.notes.checking.deciding.descriptions import describe, printed_value
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
@@ -72,6 +73,13 @@ _MULTIPLIED_OUT = re.compile(
     re.IGNORECASE,
 )
 """Words by which what follows is the same as what stands above, or comes of it."""
+_PUT_IN = re.compile(
+    r"(?<![^\W\d_])(?:(?:putt?|insert|substitut|plugg)ing\s+(?:it|this|that|these|them)\b|setzt\s+man\s+(?:das|dies\w*|es|sie)\s"
+    r"|(?:das|dies\w*|es|sie)\s+eingesetzt|einsetzen\s+(?:ergibt|liefert)|en\s+(?:remplaçant|portant|substituant)"
+    r"|sostituendo(?:lo|la|li)?\b|sustituyendo(?:lo|la|los)?\b|substituindo)|(?:これ|上式|それ)を?[^。、]{0,12}代入",
+    re.IGNORECASE,
+)
+"""Words by which the line above is put into a formula: putting this in (5) we obtain."""
 _SOLVED = re.compile(
     r"(?<![^\W\d_])(?:solutions?|solv\w+|whence|so\s+that|hence|therefore|gives?|yields?|follows"
     r"|lösung|auf(?:ge)?lös\w*|lösen|folgt|ergibt|ergeben|daraus|somit|résol\w+|d['’]où|donc|il\s+vient"
@@ -121,6 +129,7 @@ def note_other_case(
             or any(isinstance(part, Summation) for part in walk(against.node))
             or _SUM.search(state.document.source(chain.sides[k].span)) is not None  # written out since
             or _is_multiplied_out(state, chain, k, knowledge)
+            or _is_put_in_wrongly(state, chain, k, decision, knowledge)
             or _is_said_to_solve(state, chain, k, rows)
             or angle_there(state, chain, k, knowledge) is not None
             or (is_result and (k > 0 or is_at_number))
@@ -149,6 +158,26 @@ def _is_multiplied_out(state: JudgingState, chain: Chain, k: int, knowledge: Kno
     above = knowledge.definitions.get(head.name) if isinstance(head, Name) else None
     is_near = above is not None and not above.numeric and above.line >= chain.lines[0] - DISPLAYS
     return is_near and _MULTIPLIED_OUT.search(state.sections.sentence_leading_to(chain)) is not None
+
+
+def _is_put_in_wrongly(
+    state: JudgingState, chain: Chain, k: int, decision: Decision, knowledge: Knowledge
+) -> bool:
+    """Tell whether one line above is said to be put into a letter's formula, and powers do not come out.
+
+    P = 0.00034 W r N is none of P = W r ω²/g, whatever the units are: ω² is N² but for a factor.
+    """
+    head, right = chain.sides[k].node, chain.sides[k + 1].node
+    above = knowledge.definitions.get(head.name) if isinstance(head, Name) else None
+    if k or above is None or above.numeric or above.line < chain.lines[0] - DISPLAYS:
+        return False
+    exact, claimed = decision.left, decision.right
+    if not names(right) or exact is None or claimed is None:
+        return False
+    forms = (exact.numerator, exact.denominator, claimed.numerator, claimed.denominator)
+    if any(len(terms) != 1 for terms in forms) or not letters(exact.over(claimed)):
+        return False
+    return _PUT_IN.search(state.sections.sentence_leading_to(chain)) is not None
 
 
 def _is_said_to_solve(state: JudgingState, chain: Chain, k: int, rows: Sequence[int]) -> bool:

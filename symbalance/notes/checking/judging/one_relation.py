@@ -91,6 +91,7 @@ from symbalance.notes.checking.steps.solved_balances import as_balance_solution
 from symbalance.notes.checking.steps.solved_below import as_proved_solution, as_solved
 from symbalance.notes.checking.steps.solved_waves import decide_solved_wave
 from symbalance.notes.checking.steps.stated_matrices import no_relation_of_matrices
+from symbalance.notes.checking.steps.static_values import without_values_at_rest
 from symbalance.notes.checking.steps.steps_by_premises import unless_given, with_premises
 from symbalance.notes.checking.steps.trial_motions import (
     decide_sum_of_equations,
@@ -556,7 +557,7 @@ def _differentiated(state: JudgingState, knowledge: Knowledge) -> set[str]:
 
 def _by_motion(state: JudgingState, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
     """Return the decision on an equation of motion, or on a natural frequency; None for others."""
-    moving = without_trials(state, knowledge)
+    moving = without_values_at_rest(state, chain, k, without_trials(state, knowledge))
     equation = equation_of_motion(chain, k, _differentiated(state, moving), moving)
     above = state.equations_of_motion
     if equation is None:

@@ -36,6 +36,17 @@ _OF_TWO = {"outer": (_OUTER, _INNER, "D d"), "inner": (_INNER, _OUTER, "d"),
 """Subscripts of the two diameters of a hollow section; without one D is the larger, and d beside d_i."""
 _WITH_NUMBER = re.compile(r"([A-Za-z]|[a-z]{2,8})([0-9])")
 """A letter with a number behind it, as a page without subscripts writes it: J1, omega0."""
+_OF_WEIGHT = re.compile(
+    r"counter-?\s?(?:weight|mass|balance)|balance\s+weight|gegengewicht|ausgleichs(?:masse|gewicht)|contre-?poids"
+    r"|contrappes|contrapes|(?:釣り?合い?|つりあい)(?:おもり|錘|質量)|カウンタ",
+    re.IGNORECASE,
+)
+_OF_CRANK = re.compile(
+    r"crank(?:-?\s?pin)?\s+(?:radius|throw|length)|radius\s+of\s+the\s+crank|kurbelradius|kurbelhalbmesser|rayon\s+de"
+    r"\s+(?:la\s+)?manivelle|raggio\s+d\w*\s*(?:la\s+)?manovella|radio\s+de\s+(?:la\s+)?manivela|クランク(?:の)?半径",
+    re.IGNORECASE,
+)
+"""Whose radius a declared letter is: a counterweight's, the crank's."""
 LONGEST_NAME = 48
 """Characters of the words before a letter that may name it."""
 _GOES_ON = re.compile(r"\}?\s*(?:[A-Za-z0-9(+*/·^-]|\\(?:[a-z]+))(?<!\\approx)(?<!\\in)(?<!\\to)")
@@ -452,8 +463,14 @@ def _told_roles(meaning: str) -> frozenset[str]:
 
 @cache
 def _roles_in(meaning: str) -> frozenset[str]:
-    """Return the roles of which a declared meaning speaks."""
-    return frozenset(name for name, role in ROLES.items() if role.words.search(meaning))
+    """Return the roles of which a declared meaning speaks.
+
+    The radius of a counterweight is not that of the crank pin, whose radius is none of a counterweight.
+    """
+    roles = frozenset(name for name, role in ROLES.items() if role.words.search(meaning))
+    if _OF_WEIGHT.search(meaning):
+        return roles - {"pin"}
+    return roles - {"arm_of_weight"} if _OF_CRANK.search(meaning) else roles
 
 
 def ends_with(words: re.Pattern[str], text: str) -> bool:
@@ -496,6 +513,8 @@ def _is_of_one_index(pairs: Mapping[str, str], head: str, first: str, second: st
     if second not in pairs or (first and first not in pairs):
         return True
     index = index_of(pairs[first] if first else head)
+    if not first and second == "arm_of_weight":  # of m_b the arm is r_b, where the other is r
+        return index_of(pairs[second]) == index or index != index_of(pairs.get("pin", "")) or not index
     return index_of(pairs[second]) == index or (not first and index not in ("1", "2", "a", "b"))
 
 

@@ -207,12 +207,17 @@ class _Order:
     """Whether the series is r ω² (cos θ + … + A_n cos nθ): its coefficients are divided by nothing."""
     is_of_several: bool = False
     """Whether the lines before speak of an engine of several cylinders."""
+    declared: str = ""
+    """What the letter is declared as, where that says of which order it is."""
 
     @property
     def source(self) -> str:
         """What says so."""
+        if self.declared:
+            return f"declared as “{self.declared}”"
         words = (self.quote or self.words).strip(" \n\t$,.;:、は\\([")
-        return f"taken from the words “{words}”" if words else "by the series it stands in"
+        taken = f"taken from the words “{words}”" if words else "by the series it stands in"
+        return f"{NOBODY}; {taken}"
 
 
 @dataclass
@@ -266,9 +271,7 @@ class NamedOrders:
         if outcome is not None or not is_of_letters or isinstance(self.meant.sources.engines, NoEngines):
             return outcome
         kind = order.kind
-        text = (
-            f"{plain_letter(head.name)} is order {order.number} of the {kind} ({NOBODY}; {order.source})"
-        )
+        text = f"{plain_letter(head.name)} is order {order.number} of the {kind} ({order.source})"
         named = OrderNamed(order.number, order.words, text, kind == TORQUE, kind == COUPLE)
         return run_within(SEARCH, lambda: refute_wave(named, chain, self.meant, knowledge), SHARE)
 
@@ -335,7 +338,7 @@ class NamedOrders:
             is_zero = value.is_proved
         text = (
             f"{plain_letter(name)} is order {order.number} of the whole engine's {order.kind}"
-            f" ({NOBODY}; {order.source})"
+            f" ({order.source})"
         )
         if is_zero and all(each):
             return Decision(PROVED, assumptions=(text, angles.text))
@@ -373,6 +376,8 @@ class NamedOrders:
         own = header or self.meant.words.before(chain)
         original = self.meant.words.glossary.own_words(own)
         quote = "" if original == own else original
+        declared = "" if header else self._declared_order(name, own, chain)
+        own = self.meant.words.glossary.english(declared) if declared else own
         is_aid = name.partition("_")[2] in ("", "0") and introduces_aid(own)
         if is_aid or _OF_HALVES.search(own):
             return None
@@ -409,7 +414,16 @@ class NamedOrders:
             is_left=is_left,
             quote=quote,
             is_of_several=is_of_engine and _names_several(far),
+            declared=declared,
         )
+
+    def _declared_order(self, name: str, own: str, chain: Chain) -> str:
+        """Return what a letter is declared as where that names its order and the sentence names none."""
+        declared = self.meant.words.declarations.symbols_at(chain.lines[0]).get(name, "")
+        meaning = declared.partition("[")[0].strip()
+        english = self.meant.words.glossary.english(meaning)
+        is_of_order = _ORDER_WORD.search(english) is not None and _ORDER.search(english) is not None
+        return meaning if is_of_order and _ORDER_WORD.search(own) is None else ""
 
     def _coefficient(self, name: str, value: Formula, chain: Chain) -> _Order | None:
         """Return the order of A_n, if a series on the page has A_n cos nθ, and A_n no angle in it."""
@@ -448,7 +462,7 @@ class NamedOrders:
         name = plain_text(chain.sides[0].node)
         what = "coefficient of " if order.is_coefficient else ""
         kind = order.kind or "piston's motion"
-        text = f"{name} is {what}order {order.number} of the {kind} ({NOBODY}; {order.source})"
+        text = f"{name} is {what}order {order.number} of the {kind} ({order.source})"
         for target, more, sign in self._targets(order, crank, right.node, angles):
             decision = decide(Side((target,), right.span), right, "≈", known)
             if decision.is_proved and not rests_on_more(decision) and not _is_cut_short(decision, order):

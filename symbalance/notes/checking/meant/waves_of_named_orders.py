@@ -294,7 +294,9 @@ class _Page:
 
     def _counts_otherwise(self, wave: Call) -> bool:
         """Tell whether an angle may be no crank angle: a line gives it a formula, or words double one."""
-        if _OTHER_ANGLE.search(self.meant.words.page):
+        declared, _ = self.meant.words.sizes(self.chain.lines[0])
+        is_crank = any(role_of(declared.get(n, "")) == "crank angle" for n in names(wave.argument))
+        if not is_crank and _OTHER_ANGLE.search(self.meant.words.page):
             return True
         own = [Name(n) for n in names(wave.argument) - {"t"}]
         for other in self._chains():

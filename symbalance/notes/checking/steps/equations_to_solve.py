@@ -23,16 +23,42 @@ from symbalance.notes.checking.page.solutions import chains_below
 from symbalance.notes.checking.steps.derivatives_set_to_zero import slope_set_to_zero
 from symbalance.notes.checking.steps.judging_state import ANGLES, JudgingState
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 MOST_REARRANGED = 8
 """Equations over which one leads to a value of its letter."""
+_WHERE = re.compile(
+    r"(?:(?<![^\W\d_])(?:where|when|whenever|if|solve|solving|setting|wo|wenn|falls|löse|où|quand|lorsque|si|dove|quando|se"
+    r"|donde|cuando)(?![^\W\d_])|とき|場合)[^\w]*$",
+    re.IGNORECASE,
+)
+"""Right before an equation that holds somewhere only."""
 
 
 def is_to_be_solved(state: JudgingState, chain: Chain, k: int) -> bool:
     """Tell whether an equation is to be solved: by a formula's slope, words, or a value below it."""
     if k + 1 < len(chain.relations) and slope_set_to_zero(chain, state.knowledge(chain.lines[0])):
         return False  # dS/dk = 2k = 0: what the derivative is, before it is set to zero
+    if _is_worked_out(state, chain, k):
+        return False
     return _is_where_derivative_vanishes(state, chain, k) or _is_solved_by_words(state, chain, k)
+
+
+def _is_worked_out(state: JudgingState, chain: Chain, k: int) -> bool:
+    """Tell whether a formula is differentiated, the other side being of its letters: d/dx √(1 - x²) = …
+
+    Such a relation says what the derivative is, for every x, whatever nouns stand before it; it is an
+    equation where words right before it say so, or where x gets a value right behind.
+    """
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if not isinstance(left, Derivative) or isinstance(left.expression, Name):
+        return False
+    own = names(left.expression)
+    if left.variable.name not in own & names(right) or not names(right) <= own:
+        return False
+    following = _next(state, chain)
+    is_found = following is not None and following.sides[0].node == left.variable
+    return not is_found and _WHERE.search(state.sections.sentence_leading_to(chain)) is None
 
 
 def _is_solved_by_words(state: JudgingState, chain: Chain, k: int) -> bool:

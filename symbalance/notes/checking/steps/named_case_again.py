@@ -1,6 +1,7 @@
 """A case that is named once more: "Engine A: r = 40 mm. Engine B: r = 60 mm. Engine A: 2r = 80 mm".
 
-A letter has the value there that its case gave it, not the one that was read last.
+A letter has the value there that its case gave it, not the one that was read last. A four-stroke engine
+is a case beside a two-stroke one: its power is p V n/2, and p V n that of the other.
 """
 
 from __future__ import annotations
@@ -13,11 +14,15 @@ from symbalance.notes.reading.equations import Chain
 
 def return_to_case(state: JudgingState, chain: Chain) -> None:
     """Give letters once more what the case of a relation gave them, where another case gave them anew."""
-    if not chain.relations or not state.sections.case_named(chain):
+    if not chain.relations:
+        return
+    is_named = bool(state.sections.case_named(chain))
+    if not is_named and not state.sections.names_strokes:
         return
     for name in _letters_of_case(state, chain):
         above = state.sections.chains_above(Name(name), chain.start)
-        if givers := state.sections.of_its_named_case(chain, above):
+        givers = state.sections.of_its_named_case(chain, above) if is_named else []
+        if givers := givers or state.sections.of_its_cycle(chain, above):
             _give_again(state, name, givers[-1], chain)
 
 

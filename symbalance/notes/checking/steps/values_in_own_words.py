@@ -53,10 +53,9 @@ _CHANGED = re.compile(
 """Words before what a size is changed to."""
 _BEHIND = re.compile(
     r"[\s$)\]}~]*(?:\(|(?:at|for|with|when|bei|beim|im|am|für|mit|à|au|pour|avec|per|con|para|al|a)\s)"
-    r"(?P<words>(?:[^.,;:!?。、=$()\n]|[.,](?=[0-9])){2,60})",
-    re.IGNORECASE,
+    r"(?P<words>(?:[^.,;:!?。、=$()\n]|[.,](?=[0-9])){2,60})"
 )
-"""Words right behind a relation that say of what it is."""
+"""Words right behind a relation that say of what it is; with a capital they begin what is said next."""
 _MADE = re.compile(
     r"doubl(?:e|es|ed|ing|é\w*|ant)$|doubled|halv|tripled|tripl\w+|quadrupled|verdoppel|halbier|verdreifach|vervierfach|doubl[ée]|raddoppi|dimezz|dupli"
     r"|(?:[2-4２-４二三四]倍|半分)",
@@ -202,10 +201,26 @@ def _words_of(state: JudgingState, chain: Chain) -> Iterator[_Words]:
         behind = _BEHIND.match(text, chain.end)
         if behind is not None:
             yield _Words(f"at {behind['words']}", start)
-        yield _Words(_without_formulas(state, max(start, 0), chain.start, chain), start)
+        start = max(start, 0, *_ends_of_values_at_places(state, start, chain))
+        yield _Words(_without_formulas(state, start, chain.start, chain), start)
     heading = sections.heading_above(line)
     if heading:
         yield _Words(heading.lstrip("#=* "), sections.start_of_line(sections.section_start(line)))
+
+
+def _ends_of_values_at_places(state: JudgingState, start: int, chain: Chain) -> list[int]:
+    """Return where formulas of a sentence end that its words place: at TDC s_0 = 250, so x = s_0 - s.
+
+    The letter with its index is the value there of the letter without, which stands beside it; the place
+    is that of the one and not of the other.
+    """
+    before = (c for c in state.sections.chains_between(max(start, 0), chain.start) if c.relations)
+    heads = ((c.end, c.sides[0].node) for c in before if "_" in "".join(names(c.sides[0].node)))
+    return [
+        end
+        for end, head in heads
+        if isinstance(head, Name) and {head.name, head.name.partition("_")[0]} <= chain.letters
+    ]
 
 
 def _without_formulas(state: JudgingState, start: int, end: int, chain: Chain) -> str:

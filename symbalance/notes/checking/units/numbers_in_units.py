@@ -65,6 +65,7 @@ from symbalance.notes.checking.units.printed_units import decide_by_printed_unit
 from symbalance.notes.checking.units.rounded_wholes import decide_rounded_wholes
 from symbalance.notes.checking.units.units_above import proved_by_units_above
 from symbalance.notes.checking.units.units_behind import decide_as_counted
+from symbalance.notes.checking.units.units_for_all import decide_in_unit_for_all
 from symbalance.notes.checking.units.units_of_lists import decide_in_unit_of_list
 from symbalance.notes.checking.units.unrounded_numbers import decide_unrounded
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side
@@ -147,7 +148,7 @@ def _as_meant(
         _converted, _of_weights, decide_as_counted, _with_numbers_of_units, _with_frequencies,
         _in_unit_behind, _in_unit_of_wrong_result, _by_the_minute, decide_unrounded,
         decide_rounded_wholes, proved_by_units_above, decide_with_bare_lengths, decide_in_unit_of_list,
-        decide_in_one_unit,
+        decide_in_unit_for_all, decide_in_one_unit,
     ):  # fmt: skip
         there = meant(chain, k, document, knowledge)
         if there is not None and (there.is_proved or meant in (_converted, _between_numbers)):

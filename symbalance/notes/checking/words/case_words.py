@@ -359,15 +359,32 @@ _HOW_MANY = re.compile(
 )
 
 
+_TOGETHER = {*_COUNTS, "both", "pair", "beide", "beiden", "両"}
+"""Words that count things, and multiply none."""
+_OF_SPEED = re.compile(
+    r"\s*(?:(?:as|so|the|of|its|der|die|das|the\s+engine|crank|angular|engine|rotational|mittlere[rn]?)\s+){0,3}"
+    r"(?:fast|quick|speed|rpm\b|revolutions|frequen|rate\b|angle|schnell|drehzahl|winkelgeschw|geschwind|frequenz|winkel)"
+    r"|の?(?:角?速|回転|周波数|振動数|角度)",
+    re.IGNORECASE,
+)
+"""Behind how many times as fast something turns: twice as fast, at double the speed."""
+
+
 def numbers_of_several(words: str) -> frozenset[int]:
     """Return how many things words speak of together: both pistons, all four forces, doubled.
 
+    What turns twice as fast is one thing.
+
     >>> sorted(numbers_of_several("both pistons go up together, as in all four cylinders"))
     [2, 4]
+    >>> sorted(numbers_of_several("a crank that turns twice as fast"))
+    []
     """
     numbers = set[int]()
     for match in _HOW_MANY.finditer(words):
         word = (match["all"] or match["signs"] or "").lower().replace("2", "二")
+        if word not in _TOGETHER and _OF_SPEED.match(words, match.end()):
+            continue
         numbers.add(int(match["digits"]) if match["digits"] else {**_COUNTS, **_TIMES}.get(word, 1))
     return frozenset(numbers - {1})
 

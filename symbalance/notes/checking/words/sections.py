@@ -38,6 +38,7 @@ from symbalance.notes.checking.words.working_cycles import (
     last_strokes,
     names_cycles,
     strokes_named,
+    strokes_of,
 )
 from symbalance.notes.reading.equations import Chain, ReadNotes
 from symbalance.text import lazy_patterns as re
@@ -873,7 +874,7 @@ class Sections:
 
     def _names_another_cycle(self, chain: Chain, earlier_line: int) -> bool:
         """Tell whether a relation's clause is of engines of other strokes than an earlier line."""
-        if not self._names_strokes:
+        if not self.names_strokes:
             return False
         text, start = self.document.text, chain.start
         first = self.start_of_line(self.paragraph_start(earlier_line))
@@ -901,6 +902,24 @@ class Sections:
         if not own or own not in cases or "" in cases[cases.index(own) :] or set(cases) == {own}:
             return []
         return [giver for giver, case in zip(givers, cases, strict=True) if case == own]
+
+    def of_its_cycle(self, chain: Chain, givers: list[Chain]) -> list[Chain]:
+        """Return those of a letter's values that are of the engine with the strokes of a relation's.
+
+        None where its last value is, or is of no such engine: P = p V n/2 of the four-stroke, P = p V n
+        of the two-stroke, and then "the torque of the four-stroke is P/ω".
+        """
+        if not self.names_strokes or len(givers) < 2 or not self._strokes_of(chain):
+            return []
+        strokes = [self._strokes_of(giver) for giver in givers]
+        if 0 in strokes or strokes[-1] == self._strokes_of(chain):
+            return []
+        return [c for c, own in zip(givers, strokes, strict=True) if own == self._strokes_of(chain)]
+
+    def _strokes_of(self, chain: Chain) -> int:
+        """Return the strokes of the engine that a relation's own words name, 0 for none."""
+        before = self.end_before(chain.start) or 0
+        return strokes_of(self.document.text, (chain.start, chain.end), before)
 
     def chains_of(self, head: Formula) -> list[Chain]:
         """Return the chains that begin with a formula, a letter say, in the order of the text."""
@@ -959,7 +978,7 @@ class Sections:
         return self._by_line.get(line, [])
 
     @cached_property
-    def _names_strokes(self) -> bool:
+    def names_strokes(self) -> bool:
         """Whether the page names an engine of two or four strokes."""
         return bool(strokes_named(self.document.text))
 

@@ -79,6 +79,24 @@ def cycles_behind(text: str, end: int) -> frozenset[str]:
     return frozenset(m.lastgroup or "" for m in _CYCLE.finditer(match[0])) if match else frozenset()
 
 
+def strokes_of(text: str, place: tuple[int, int], before: int) -> int:
+    """Return 2 or 4, the strokes of the engine that a formula is of; 0 where words name none or both.
+
+    `before` is where the formula before it ends: what is named since then counts first.
+
+    >>> text = "a four-stroke has P = p V n/2, a two-stroke P = p V n"
+    >>> strokes_of(text, (18, 29), 0), strokes_of(text, (44, 53), 29)
+    (4, 2)
+    """
+    start, end = place
+    near = text[max(before, start - _REACH) : start]
+    for kinds in (cycles_behind(text, end), cycles_named(near, len(near)), cycles_named(text, start)):
+        if kinds:
+            strokes = {_STROKES[kind] for kind in kinds if kind in _STROKES}
+            return strokes.pop() if len(strokes) == 1 else 0
+    return 0
+
+
 def is_another_cycle(text: str, earlier: tuple[int, int], place: tuple[int, int]) -> bool:
     """Tell whether the engines of two formulas, both named, work otherwise.
 

@@ -233,6 +233,7 @@ BALANCE: tuple[Quantity, ...] = (
         unless=words(r"balance shaft|ausgleichswelle|バランサ|counter-?rotat|lanchester"
         r"|\bmoments? (?:about|balanc)|momenten"
         r"|\bplanes?\b|\bebenen?\b|\bcouple|twice|doppelt"),
+        together=(("", "arm_of_weight"),),
     ),
     Quantity(
         "mass of each of two counter-rotating weights at twice the crank's speed", letters("m M"),
