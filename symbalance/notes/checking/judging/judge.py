@@ -204,6 +204,7 @@ from symbalance.notes.checking.steps.rival_cases import RivalCases
 from symbalance.notes.checking.steps.roots_by_kind import unless_of_another_kind
 from symbalance.notes.checking.steps.roots_left_out import with_root_left_out
 from symbalance.notes.checking.steps.roots_of_conditions import unless_no_root
+from symbalance.notes.checking.steps.roots_of_waves import unless_no_root_of_wave
 from symbalance.notes.checking.steps.rough_premises import unless_roughly_known
 from symbalance.notes.checking.steps.rough_rod_angles import unless_rough_in_rod_angle
 from symbalance.notes.checking.steps.rounded_constants import unless_constant_is_rounded
@@ -364,6 +365,7 @@ _LAST: tuple[_Look, ...] = (
     by_speed_in_brackets,
     unless_at_multiples,
     unless_constant_is_rounded,
+    unless_no_root_of_wave,
     unless_against_direction,
     unless_of_bare_numbers,
     unless_by_the_minute,

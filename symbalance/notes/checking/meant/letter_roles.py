@@ -115,6 +115,8 @@ _CENTROID = re.compile(
 )
 """The point whose distance from an end of a rod says how its mass is shared."""
 _DISTANCE = re.compile(r"(?:distance|abstand|distanza|distancia)\s*$", re.IGNORECASE)
+_IN_RADIANS = re.compile(r"rad\b|angular|winkelgeschw|angulaire|angolare|角速度", re.IGNORECASE)
+"""An angular velocity at 6500 rpm is one."""
 _TURNS_DECLARED = re.compile(r"\brpm\b|rev/|\br/min|U/min|1/min|min\^?\{?-1|min⁻¹|tr/min|giri/min")
 """In a declaration, the unit of a speed that counts turns: no angular speed has it."""
 _CRANK, _ROD = r"(?:crank|kurbel|クランク)", r"(?:\brod|pleuel|stange|連接棒|コンロッド|連桿)"
@@ -433,7 +435,8 @@ def _may_be_declared(declared: str, role: str) -> bool | None:
     """Tell whether a declaration lets a letter play a role; None where it says nothing of what it is."""
     if told := _told_roles(declared):
         return role in told
-    if role in _ANGULAR_ROLES and _TURNS_DECLARED.search(declared):
+    counts_turns = _TURNS_DECLARED.search(declared) and not _IN_RADIANS.search(declared)
+    if role in _ANGULAR_ROLES and counts_turns:
         return False
     if roles := _roles_in(declared):
         return role in roles or _is_whole_size(roles, role)
@@ -447,11 +450,11 @@ def _told_roles(meaning: str) -> frozenset[str]:
     >>> sorted(_told_roles("r/l [-]")), sorted(_told_roles("rod length over crank radius"))
     (['ratio'], ['slender', 'slenderness'])
     >>> sorted(_told_roles("distance of the centre of gravity from the big end"))
-    ['to_big']
+    ['arm', 'to_big']
     """
     ends = {role for role, words in ROD_ENDS.items() if re.search(words, meaning, re.IGNORECASE)}
     if len(ends) == 1 and _CENTROID.search(meaning):
-        return frozenset(ends)
+        return frozenset({*ends, "arm"})  # of a pendulum about that end, too
     if not _QUOTIENT.search(meaning.casefold()):
         return frozenset()
     is_of_crank = _CRANK_OVER_ROD.search(meaning) is not None

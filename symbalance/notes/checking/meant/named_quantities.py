@@ -82,7 +82,7 @@ from symbalance.notes.checking.meant.other_formulas import kind_of_other
 from symbalance.notes.checking.meant.quantity_forms import QuantityForms, is_telling
 from symbalance.notes.checking.meant.quantity_words import Named, Places, QuantityWords
 from symbalance.notes.checking.meant.role_dimensions import are_of_other_dimension
-from symbalance.notes.checking.meant.solved_sides import Solved, otherwise_solved, solved_sides
+from symbalance.notes.checking.meant.solved_sides import RATIO, Solved, otherwise_solved, solved_sides
 from symbalance.notes.checking.meant.stated_numbers import StatedNumbers
 from symbalance.notes.checking.repair.fixes import Repair, add_fix, fix_of, is_proved_as_far
 from symbalance.notes.checking.verdicts import DEFINITION, PROVED_WORDS, Verdict
@@ -821,6 +821,7 @@ class NamedQuantities:
                 target, targets, claim, quantity, f"{named.heading} {named.around} {named.sentence}",
                 is_part=is_part or _is_woven(claim, knowledge),
             )  # fmt: skip
+            other = "" if RATIO in name else other  # of two letters anything may be the ratio
             kind = slip_of(target, claim, slips, is_part)
             kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)

@@ -47,6 +47,13 @@ _SAME_DIRECTION = re.compile(
     r"|stess[oa]\s(?:verso|direzione)|mismo\ssentido)(?![^\W\d_])|同じ(?:向き|方向)",
     re.IGNORECASE,
 )
+_DIRECTED = re.compile(
+    r"(?<![^\W\d_])positiv\w*\s+(?:towards?|away|in|to|from|up|down|zur?|vo[mn]|nach|vers|verso|hacia|versol['’])"
+    r"|(?:向きを|方向を)正|counted\s+(?:towards?|away)",
+    re.IGNORECASE,
+)
+"""Words by which one of the motions has a direction of its own."""
+_BEHIND = 60
 _RATIOS = frozenset({"lambda", "rho", "epsilon", "kappa", "mu"})
 _TENTH = Number(Fraction(1, 10))
 _SHORT, _LONG = Number(Fraction(1)), Number(Fraction(10))
@@ -78,6 +85,8 @@ def unless_against_direction(state: JudgingState, chain: Chain, k: int, verdict:
         if motion.sign == sign or motion.start >= chain.start:
             continue
         words = text[max(0, motion.start - _REACH) : chain.start]
+        if kind != "force" and _DIRECTED.search(f"{words} {text[chain.end : chain.end + _BEHIND]}"):
+            continue
         if kind == "force" and not _SAME_DIRECTION.search(words):
             continue
         follows = kind == "force" or _FOLLOWS.search(text, motion.start, chain.start) is not None

@@ -60,6 +60,7 @@ _RESTRICTED = re.compile(
 )
 """Words beside an indexed formula that hold it for some numbers alone: for odd n."""
 _MEASURED = re.compile(r"measur|gemessen|observ|mesur|misurat|medid|実測|測定", re.IGNORECASE)
+_NOTHING = 1e-9
 _COUNTERS = frozenset("ijknhpqν") | {"nu", "ell"}
 """Letters of an index that counts."""
 REACH = 120
@@ -83,17 +84,24 @@ def unless_a_formula_gives_it(state: JudgingState, chain: Chain, k: int, verdict
         size = Number(abs(Fraction(str(float(exact))))) if exact < 0 else node
         shown = f"{formula_text(node, plain=True)}, by line {line}"
         there = decide(lone_side(size), right, "≈", knowledge)
-        if there.is_proved:
+        if there.is_proved and not _divides_by_nothing(node, knowledge):
             decision = Decision(PROVED, shown, order="the digits printed")
             return describe(state.document, chain, k, decision)
         is_wrong = bool(indexed) and line == indexed[0][2] and _is_of_every_index(state, chain, line)
         is_wrong |= bool(exact) and is_slip(abs(float(typed)), abs(float(exact)), right.node)
-        if there.status == REFUTED and is_wrong:
+        if there.status == REFUTED and is_wrong and not _divides_by_nothing(node, knowledge):
             wrong = wrong or Decision(REFUTED, f"{shown} it is {float(abs(exact)):.4g}")
     if wrong is None or _is_of_a_part(state, chain):
         return verdict
     state.definitions.forget(head.name, chain.lines[0])
     return describe(state.document, chain, k, wrong)
+
+
+def _divides_by_nothing(node: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether a formula divides by what is nothing there: (1 - q^6)/(1 - q) where q is 1."""
+    below = (part.denominator for part in walk(node) if isinstance(part, Quotient))
+    sizes = (number_of(each, knowledge) for each in below if not isinstance(each, Number))
+    return any(size is None or abs(float(size)) < _NOTHING for size in sizes)
 
 
 def _is_number(node: Formula) -> bool:

@@ -55,6 +55,10 @@ _POWERS = product((-2, -1, 0, 1, 2), (-2, -1, 0, 1, 2))
 _SLIPS = tuple(60.0**a * math.tau**b for a, b in _POWERS if a or b)
 _HALVES = (2.0, 0.5)
 """Slips of π for 2π, where two units are turned into one another."""
+_ORDERS = re.compile(
+    r"\borders?\b|ordnung|ordre|ordine|orden\b|harmoni|twice|double|doppelt|次", re.IGNORECASE
+)
+"""Words of what turns twice as fast."""
 _POINTS = (1.0, 1.7, 2.3)
 
 
@@ -124,7 +128,9 @@ def _of_one_speed(
         allowed.append(_between_quantities(head, own[0]))
     if any(math.isclose(factor, each, rel_tol=_ROUNDED) for each in allowed):
         return ""
-    slips = _SLIPS if first.unit.scale == second.unit.scale else (*_SLIPS, *_HALVES)
+    is_indexed = indices or _ORDERS.search(sentence)
+    is_converted = first.unit.scale != second.unit.scale and not is_indexed
+    slips = (*_SLIPS, *_HALVES) if is_converted else _SLIPS
     if not any(math.isclose(factor / right_factor, slip, rel_tol=_ROUNDED) for slip in slips):
         return ""
     shown = f"{plain_letter(own[0])} in {second.unit.text} and {plain_letter(head)} in {first.unit.text}"

@@ -145,12 +145,16 @@ def _equation_above(
     text, line = state.document.text, chain.lines[0]
     stem, _, index = name.partition("_")
     unknowns = {name, stem} if _INDEX.fullmatch(index) else {name}
-    place, words = chain.start, ""
+    place, words, explained = chain.start, "", ""
     while (other := state.sections.chain_before(place)) is not None:
         if chain.start - other.end > FARTHEST or not state.sections.same_section(other.lines[0], line):
             return None
-        between = text[other.end : place]
+        between = "" if explained == text[other.end : place] else text[other.end : place]
         words, place = f"{between} {words}", other.start
+        if _explains(other, unknowns):  # "where x = cos φ" says what the unknown is
+            above = state.sections.chain_before(place)
+            explained = text[above.end : place] if above is not None else ""
+            continue
         if _is_root_of(other, unknowns):
             if not (_SILENT.fullmatch(between) or ROOTS.search(between) or _LEADS.search(between)):
                 return None  # "the makers use k = 0.6"
@@ -170,6 +174,13 @@ def _equation_above(
         if not all(isinstance(side.node, Name) for side in other.sides[:-1]):
             return None
     return None
+
+
+def _explains(other: Chain, unknowns: set[str]) -> bool:
+    """Tell whether a chain says that the unknown stands for a wave of another letter: x = cos φ."""
+    found = _unknown(other, 0)
+    right = other.sides[-1].node
+    return found is not None and found[0] in unknowns and isinstance(right, Call) and bool(names(right))
 
 
 def _is_root_of(other: Chain, unknowns: set[str]) -> bool:

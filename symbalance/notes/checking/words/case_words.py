@@ -370,6 +370,17 @@ _OF_SPEED = re.compile(
 """Behind how many times as fast something turns: twice as fast, at double the speed."""
 
 
+_OF_FORMULAS = re.compile(
+    r"\s*(?:(?:of|the|these|der|die|das|diese[rn]?|les|des|le|las|los)\s+){0,2}"
+    r"(?:stress|expression|equation|formula|relation|term|side|value|result|line|number|definition|spannung|gleichung|formel"
+    r"|ausdr[uü]ck|beziehung|glied|seite|wert|ergebnis|zeile|contrainte|équation|formule|terme|membre|valeur|résultat"
+    r"|tension[ie]|equazion|formul|termin|membri|valori|risultat|tensione|ecuacion|fórmula|término|miembro|valor)"
+    r"|の?(?:式|項|辺|応力|値|結果)",
+    re.IGNORECASE,
+)
+"""Behind a number of what is put in or compared, and of which none is several times as large."""
+
+
 def numbers_of_several(words: str) -> frozenset[int]:
     """Return how many things words speak of together: both pistons, all four forces, doubled.
 
@@ -379,11 +390,15 @@ def numbers_of_several(words: str) -> frozenset[int]:
     [2, 4]
     >>> sorted(numbers_of_several("a crank that turns twice as fast"))
     []
+    >>> sorted(numbers_of_several("putting both stresses in"))
+    []
     """
     numbers = set[int]()
     for match in _HOW_MANY.finditer(words):
         word = (match["all"] or match["signs"] or "").lower().replace("2", "二")
         if word not in _TOGETHER and _OF_SPEED.match(words, match.end()):
+            continue
+        if word in _TOGETHER and _OF_FORMULAS.match(words, match.end()):
             continue
         numbers.add(int(match["digits"]) if match["digits"] else {**_COUNTS, **_TIMES}.get(word, 1))
     return frozenset(numbers - {1})
