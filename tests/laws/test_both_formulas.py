@@ -6,8 +6,8 @@ from tests.checked_pages import last_in
 def test_both_formulas_put_in_are_no_factor():
     page = (
         "With $\\sigma = \\frac{32 M}{\\pi d^3}$ and $\\tau = \\frac{16 T}{\\pi d^3}$ the "
-        "greatest shear stress is $\\tau_{\\max} = \\sqrt{(\\sigma/2)^2 + \\tau^2}$. Putting both stresses in gives "
-        "$\\tau_{\\max} = \\frac{N}{\\pi d^3}\\sqrt{M^2 + T^2}$."
+        "greatest shear stress is $\\tau_{\\max} = \\sqrt{(\\sigma/2)^2 + \\tau^2}$. Putting "
+        "both stresses in gives $\\tau_{\\max} = \\frac{N}{\\pi d^3}\\sqrt{M^2 + T^2}$."
     )
     assert last_in(page.replace("N", "16")) != "refuted"
     assert last_in(page.replace("N", "32")) == "refuted"
