@@ -119,6 +119,8 @@ _IN_RADIANS = re.compile(r"rad\b|angular|winkelgeschw|angulaire|angolare|角速�
 """An angular velocity at 6500 rpm is one."""
 _TURNS_DECLARED = re.compile(r"\brpm\b|rev/|\br/min|U/min|1/min|min\^?\{?-1|min⁻¹|tr/min|giri/min")
 """In a declaration, the unit of a speed that counts turns: no angular speed has it."""
+_RADIANS_DECLARED = re.compile(r"\brad\s?/\s?s\b|\brad(?:\s|\\,|·)*s\^?\{?(?:-1|⁻¹)")
+"""In a declaration, the unit of a frequency that counts radians."""
 _CRANK, _ROD = r"(?:crank|kurbel|クランク)", r"(?:\brod|pleuel|stange|連接棒|コンロッド|連桿)"
 _OVER = (
     r"[\w\s]{0,24}?(?:\b(?:over|to|by|zu[mr]?|durch|à|sur|sobre|su|a|e|et|y|entre)\b|[/÷:と])"
@@ -439,6 +441,8 @@ def _may_be_declared(declared: str, role: str) -> bool | None:
     if role in _ANGULAR_ROLES and counts_turns:
         return False
     if roles := _roles_in(declared):
+        if _RADIANS_DECLARED.search(declared) and "frequency" in roles:
+            roles = (roles | {"omega"}) - {"frequency"}  # a natural frequency in rad/s
         return role in roles or _is_whole_size(roles, role)
     return None if UNITS_ONLY.fullmatch(declared) else False
 

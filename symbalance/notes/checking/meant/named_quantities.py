@@ -1055,7 +1055,8 @@ def _has_own_convention(claim: Formula, knowledge: Knowledge) -> bool:
 def _is_woven(claim: Formula, knowledge: Knowledge) -> bool:
     """Tell whether the page gives a letter of a formula by others of it: T_e of M + T_e by √(M² + T²)."""
     own = names(claim)
-    behind = [knowledge.definitions[n].node for n in own if n in knowledge.definitions]
+    given = [knowledge.definitions[n] for n in own if n in knowledge.definitions]
+    behind = [each.node for each in given if not each.solved]  # m s² + c s + k = 0 gives no c
     return any(names(node) & own for node in behind if node is not None)
 
 

@@ -115,7 +115,7 @@ _STROKES_IN_A_TIME = (
 
 CRANK_DRIVE: tuple[Quantity, ...] = (
     Quantity(
-        "mean piston speed", letters("v c V u C S"),
+        "mean piston speed", letters("v c V u C S U w"),
         words(r"mean\s+(?:piston\s+)?speed(?:\s+of\s+the\s+piston)?",
         r"mean\s+(?:piston\s+)?velocity(?:\s+of\s+the\s+piston)?",
                r"average\s+piston\s+(?:speed|velocity)", r"mittlere\s+kolbengeschwindigkeit",

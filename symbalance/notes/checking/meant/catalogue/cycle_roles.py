@@ -18,7 +18,9 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("adiabatic", "gamma kappa k chi n", r"(?:ratio of (?:the )?specific heats|(?:isentropic|adiabatic"
      r"|polytropic)[ -](?:exponent|index|coefficient)|heat (?:capacity )?ratio"
      r"|(?:isentropen|adiabaten|polytropen)-?exponent|比熱比|(?:断熱|ポリトロープ)指数"
-     r"|(?:exposant|coefficient) (?:adiabatique|isentropique|de laplace)|rapport des chaleurs \w+)"),
+     r"|(?:exposant|coefficient) (?:adiabatique|isentropique|de laplace)"
+     r"|(?:rapport|ratio) (?:des|of) chaleurs \w+|ratio (?:tra|fra) i calori|(?:relación|ratio) (?:de|of)"
+     r" calores)"),
     ("first_temperature", "T vartheta Theta", r"temperatures?|temperatur|温度|température", _FIRST),
     ("first_pressure", "p P", r"pressures?|druck|圧力?|pression", _FIRST),
     ("second_pressure", "p P", r"pressures?|druck|圧力?|pression", "2 b B e f"),
