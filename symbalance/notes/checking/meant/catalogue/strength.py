@@ -143,13 +143,44 @@ _BORED = words(
     r"hollow|\bbored\b|\bdrilled|tubular|\btubes?\b|hohl|rohr\b|ringquerschnitt|durchbohrt|aufgebohrt"
     r"|中空|円管|パイプ"
 )
+_JOINT_RATE = words(
+    r"(?:combined|total|overall|resultant|resulting|equivalent|effective|common|joint)\s+(?:spring\s+)?"
+    r"(?:rate|constant|stiffness)",
+    r"(?:gesamt|ersatz)-?(?:feder)?(?:steifigkeit|konstante|rate)",
+    r"(?:resultierende|gemeinsame|wirksame)\s+(?:feder)?(?:steifigkeit|konstante|rate)",
+    r"(?:合成|等価|全体の|合計の?)(?:の)?(?:ばね定数|剛性)",
+    r"(?:raideur|rigidité|stiffness)\s+(?:équivalente|totale|résultante)",
+    r"(?:rigidezza|costante|stiffness)\s+(?:equivalente|totale|complessiva|risultante)",
+    r"(?:rigidez|constante|stiffness)\s+(?:equivalente|total|resultante)",
+)  # fmt: skip
+"""The stiffness of several springs together."""
+_SAME_FORCE = (
+    r"(?:carry|carries|bear|transmit|take|feel|see)\s+the\s+same\s+(?:force|load)|same\s+(?:force|load)\s+(?:acts|passes|goes)"
+    r"|deflections?\s+(?:add|are\s+added|sum)|(?:dieselbe|die\s+gleiche)\s+kraft|federwege?\s+addieren|durchsenkungen\s+addieren"
+    r"|たわみが(?:加わる|足し合わさる|足される)|同じ力|même\s+(?:force|effort)|stessa\s+forza|misma\s+fuerza"
+)
+"""Words by which the same force goes through two springs, one behind the other."""
+_SAME_WAY = (
+    r"(?:compressed|deflected|stretched|moved?)\s+by\s+the\s+same\s+(?:amount|distance|length|travel|deflection)"
+    r"|same\s+(?:deflection|travel|compression)|(?:forces|loads)\s+(?:add|are\s+added)|(?:denselben|den\s+gleichen)\s+(?:feder)?weg"
+    r"|gleichen?\s+(?:feder)?wege?\s|federkräfte\s+addieren|kräfte\s+addieren|同じ(?:だけ(?:縮|たわ)|たわみ|変位)"
+    r"|même\s+(?:course|flèche|déplacement|déformation|allongement)|stess[ao]\s+(?:spostamento|corsa|deformazione|freccia|stroke)"
+    r"|mism[ao]\s+(?:desplazamiento|carrera|deformación|flecha|stroke)|(?:same|stessa|misma|même)\s+(?:deflection|displacement|stroke)"
+)
+"""Words by which two springs are shortened alike, one beside or within the other."""
 _SERIES = words(
+    _SAME_FORCE, r"(?:l'un|une|un)e?\s+derrière\s+l'autre", r"\ben\s+série\b", r"\bin\s+serie\b", r"\ben\s+serie\b",
+    r"un[oa]\s+dietro\s+l'altr[oa]", r"un[oa]\s+(?:detrás\s+de|tras)\s+otr[oa]",
     r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series",
     r"one\s+(?:behind|after)\s+the\s+other", r"end\s+to\s+end", r"series\s+(?:stiffness|connection)",
     r"reihenschaltung", r"in\s+reihe(?:\s+geschaltet\w*)?", r"hintereinander\w*",
     r"直列(?:ばね|接続|結合)?",
 )  # fmt: skip
 _PARALLEL = words(
+    _SAME_WAY, r"ineinander\s?(?:gesteckt\w*|geschachtelt\w*|liegen\w*)?", r"nested", r"concentric\w*\s+springs",
+    r"one\s+(?:inside|within)\s+(?:of\s+)?the\s+other", r"konzentrische\w*\s+federn", r"入れ子", r"同心", r"二重(?:ばね|スプリング)",
+    r"(?:l'un|une|un)e?\s+(?:dans|à\s+côté\s+de)\s+l'autre", r"\ben\s+parallèle\b", r"\bin\s+parallelo\b", r"\ben\s+paralelo\b",
+    r"un[oa]\s+(?:dentro|accanto)\s+(?:a\s+)?(?:l'|al)?altr[oa]", r"un[oa]\s+(?:dentro\s+de|junto\s+a)\s+(?:la\s+)?otr[oa]",
     r"(?:springs|connected|shafts|arranged|rates)\s+in\s+parallel",
     r"parallel\s+(?:springs|stiffness|connection)",
     r"side\s+by\s+side", r"one\s+inside\s+the\s+other", r"nebeneinander\w*",
@@ -551,20 +582,24 @@ STRENGTH: tuple[Quantity, ...] = (
     ),
     Quantity(
         "stiffness of springs in series", letters("c k C K"),
-        words(_TORSIONAL_RATE.pattern, _BENDING_RATE.pattern, _SERIES.pattern),
+        words(_TORSIONAL_RATE.pattern, _BENDING_RATE.pattern, _SERIES.pattern, _JOINT_RATE.pattern),
         (first_rate * second_rate / (first_rate + second_rate), 1 / (1 / first_rate + 1 / second_rate)),
         ("bare factor", "edit"),
         mistakes=(first_rate + second_rate, 1 / first_rate + 1 / second_rate,
                   (first_rate + second_rate) / (first_rate * second_rate)),
-        only=_SERIES, unless=words(r"parallel|並列|complian|nachgiebig|flexibil"),
+        only=_SERIES, unless=words(
+            r"parall|並列|complian|nachgiebig|flexibil|side\s+by\s+side|nebeneinander|ineinander|nested|入れ子|three|drei",
+            _SAME_WAY),
     ),
     Quantity(
         "stiffness of springs in parallel", letters("c k C K"),
-        words(_TORSIONAL_RATE.pattern, _BENDING_RATE.pattern, _PARALLEL.pattern),
+        words(_TORSIONAL_RATE.pattern, _BENDING_RATE.pattern, _PARALLEL.pattern, _JOINT_RATE.pattern),
         (first_rate + second_rate,), ("bare factor",),
         mistakes=(first_rate * second_rate / (first_rate + second_rate), first_rate - second_rate,
-                  1 / (1 / first_rate + 1 / second_rate)),
-        only=_PARALLEL, unless=words(r"series|reihe|hintereinander|直列|complian|nachgiebig|flexibil"),
+                  1 / (1 / first_rate + 1 / second_rate), (first_rate + second_rate) / 2,
+                  root(first_rate * second_rate), root(first_rate**2 + second_rate**2)),
+        only=_PARALLEL, unless=words(
+            r"series|\bserie\b|série|reihe|hintereinander|直列|complian|nachgiebig|flexibil|three|drei|average|mean\b", _SAME_FORCE),
     ),
     Quantity(
         "equivalent length of a shaft", letters("l L ell"),
