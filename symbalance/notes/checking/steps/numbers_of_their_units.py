@@ -46,6 +46,12 @@ _OF_MORE = re.compile(
     re.IGNORECASE,
 )
 """Words of frequencies that a shaft gives several times, or half a time, in a turn."""
+_CONVERTING = re.compile(
+    r"(?<![^\W\d_])(?:conver(?:sions?|ts?|ted|ting)|Umrechnung|umgerechnet|rechnet[^.;]{0,40}um|converti(?:r|t|e)|conversione|conversión"
+    r"|convertito|convierte)(?![^\W\d_])|換算|変換",
+    re.IGNORECASE,
+)
+"""Words by which a formula turns the number of one unit into that of another."""
 _POWER, _TORQUE, _RATE = (unit_of(unit) or NONE for unit in ("W", "N m", "1/s"))
 _REACH = 900
 """Characters before a formula in which words give its letters their units."""
@@ -124,7 +130,8 @@ def _of_one_speed(
         return ""
     right_factor = second.unit.scale / first.unit.scale
     allowed = [right_factor]
-    if not (second.is_worded and first.is_worded) and not second.is_number:
+    is_conversion = not (first.is_worded or second.is_worded) and _CONVERTING.search(sentence) is not None
+    if not (is_conversion or (second.is_worded and first.is_worded) or second.is_number):
         allowed.append(_between_quantities(head, own[0]))
     if any(math.isclose(factor, each, rel_tol=_ROUNDED) for each in allowed):
         return ""

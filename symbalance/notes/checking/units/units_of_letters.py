@@ -31,6 +31,17 @@ _COUNTS = re.compile(
 """f counts the revolutions per second; n ist die Zahl der Umdrehungen pro Minute."""
 _OF_HEAD = re.compile(r"(?<![^\W\d_])(?:in|en)\s+(?=[^\W\d_])", re.IGNORECASE)
 _LETTER_BEFORE = re.compile(r"(?:\$|(?<![^\W_])[^\W\d_])\s*,?\s*\(?$")
+_TORQUE = re.compile(
+    r"torque|twisting\s+moment|drehmoment|couple|coppia|momento\s+torcente|\bpar\b|トルク", re.IGNORECASE
+)
+_POUND_FEET = re.compile(
+    r"[\s\\~${]{0,4}(?:mathrm\{|text\{)?(?:(?:lbs?|pounds?)(?:[\s·.-]|\\[,;]){0,2}(?:ft|feet|foot)"
+    r"|(?:ft|foot|feet)(?:[\s·.-]|\\[,;]){0,2}(?:lbs?|pounds?))(?![A-Za-z])",
+    re.IGNORECASE,
+)
+"""The unit of a torque in pounds that are forces: lb ft, foot-pounds."""
+_NEAR = 40
+"""Characters before a letter in which words call it a torque."""
 _REACH = 80
 _BEHIND = 200
 """Characters behind a relation in which words still say what its letters count."""
@@ -58,7 +69,9 @@ def units_in_words(text: str, names: frozenset[str]) -> dict[str, LetterUnit]:
     for pattern, is_number in ((_IN_UNIT, False), (_OF_TURNS, True), (_COUNTS, True)):
         for match in pattern.finditer(text):
             name = signs.get(match["letter"].lstrip("\\").replace("{", "").replace("}", ""))
-            unit = None if name is None else worded_unit(text[match.end() : match.end() + _REACH])
+            words = text[max(0, match.start() - _NEAR) : match.start()]
+            behind = text[match.end() : match.end() + _REACH]
+            unit = None if name is None else _of_torque(words, behind) or worded_unit(behind)
             if name is None or unit is None or (is_number and not (unit.is_rate and _is_spelled(unit))):
                 continue
             found.setdefault(name, set()).add(LetterUnit(unit, is_worded=True, is_number=is_number))
@@ -96,10 +109,21 @@ def declared_units(symbols: Mapping[str, str], names: frozenset[str]) -> dict[st
     found: dict[str, LetterUnit] = {}
     for name in names & symbols.keys():
         match = re.search(r"[\[(]\s*(?P<unit>[^\])]+?)\s*[\])]\s*$", symbols[name])
-        unit = None if match is None else worded_unit(match["unit"])
+        unit = None if match is None else _of_torque(symbols[name], match["unit"])
+        unit = unit or (None if match is None else worded_unit(match["unit"]))
         if unit is not None:
             found[name] = LetterUnit(unit, is_worded=False)
     return found
+
+
+def _of_torque(words: str, unit: str) -> WordedUnit | None:
+    """Return the unit of a torque in pounds and feet, where words call it that; None for others.
+
+    >>> _of_torque("torque", "lb ft").text, _of_torque("unbalance", "lb ft")
+    ('lbf ft', None)
+    """
+    is_torque = _POUND_FEET.match(unit) is not None and _TORQUE.search(words) is not None
+    return worded_unit("lbf ft") if is_torque else None
 
 
 def text_around(text: str, first: int, start: int, end: int) -> str:
