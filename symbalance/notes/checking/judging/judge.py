@@ -62,6 +62,7 @@ from symbalance.notes.checking.page.table_rows import TableRows
 from symbalance.notes.checking.premises.another_value import NO_WORDS
 from symbalance.notes.checking.premises.carried_values import ONE_IS_WRONG
 from symbalance.notes.checking.premises.results_as_cases import NO_RESULT
+from symbalance.notes.checking.steps.amplitudes_of_two_parts import unless_of_two_parts
 from symbalance.notes.checking.steps.angle_equations import lines_of_angles, unless_solved_for_wave
 from symbalance.notes.checking.steps.angle_origins import letters_of_every_angle
 from symbalance.notes.checking.steps.angular_speeds_by_turns import by_turns_counted
@@ -390,6 +391,7 @@ _LAST: tuple[_Look, ...] = (
     unless_units_in_brackets,
     unless_sum_of_results,
     unless_mean_of_extremes,
+    unless_of_two_parts,
 )
 """What does so once a relation has been read in its case and its row."""
 

@@ -14,7 +14,7 @@ Nothing is refuted where a size has two numbers on the page, or where words make
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor, isclose, log10, pi
 
@@ -28,6 +28,11 @@ from symbalance.notes.checking.meant.catalogue import ROLES
 from symbalance.notes.checking.meant.given_numbers import number_in_example
 from symbalance.notes.checking.meant.letter_roles import ROD_ENDS, index_of
 from symbalance.notes.checking.meant.named_quantities import NamedQuantities, may_be_part
+from symbalance.notes.checking.meant.numbers_beside_names import (
+    decays_beside,
+    lengths_beside,
+    speaks_of_cycles,
+)
 from symbalance.notes.checking.meant.quantity_words import Named
 from symbalance.notes.checking.units.dimensions import written_unit
 from symbalance.notes.checking.words.case_words import ENGINE, engine_of
@@ -36,6 +41,12 @@ from symbalance.text import lazy_patterns as re
 
 REACH = 1500
 """Characters above a line, in its section, in which its sizes may be given."""
+_SPELLED_RATES = (
+    "revolutions per minute", "turns per minute", "Umdrehungen pro Minute", "Umdrehungen je Minute",
+    "tours par minute", "tours by minute", "tours per minute", "giri al minuto",
+    "revoluciones por minuto", "vueltas por minuto",
+)  # fmt: skip
+"""How prose spells revolutions a minute, before and after its terms are put in English."""
 _UNITS = {
     "length": {"mm": 1e-3, "cm": 1e-2, "dm": 0.1, "m": 1},
     "pressure": {"bar": 1e5, "MPa": 1e6, "N/mm²": 1e6, "N/mm^2": 1e6, "kPa": 1e3, "Pa": 1},
@@ -44,7 +55,9 @@ _UNITS = {
                "dm^3": 1e-3, "cm³": 1e-6, "cm^3": 1e-6, "cc": 1e-6, "m³": 1, "m^3": 1},
     "mass": {"kg": 1, "g": 1e-3},
     "speed": {"rpm": 1 / 60, "min⁻¹": 1 / 60, "1/min": 1 / 60, "U/min": 1 / 60, "r/min": 1 / 60,
-    "rev/min": 1 / 60, "min^{-1}": 1 / 60, "min^-1": 1 / 60, "tr/min": 1 / 60, "giri/min": 1 / 60},
+    "rev/min": 1 / 60, "min^{-1}": 1 / 60, "min^-1": 1 / 60, "tr/min": 1 / 60, "giri/min": 1 / 60,
+    "回転/分": 1 / 60, **dict.fromkeys(_SPELLED_RATES, 1 / 60)},
+    "velocity": {"m/s": 1, "km/h": 1 / 3.6},
     "angular": {"rad/s": 1},
     "power": {"W": 1, "kW": 1e3, "MW": 1e6},
     "energy": {"J": 1, "kJ": 1e3, "N m": 1, "Nm": 1},
@@ -60,6 +73,7 @@ _KINDS = {
     "mass": "mass",
     "speed": "rotation turn_rate",
     "angular": "omega",
+    "velocity": "velocity",
     "power": "power effective_power indicated_power lost_power",
     "energy": "swing excess cycle_work kinetic",
     "torque": "torque",
@@ -76,6 +90,17 @@ _THOUSANDS = re.compile(r"[0-9]{1,3}[.,][0-9]{3}")
 _FACTORS = (2, 3, 4, 6, 8, pi, 2 * pi, 4 * pi)
 _SMALL = 9
 """Whole numbers up to it stand for themselves: the 2 of ½ J ω²."""
+_OF_ALL = re.compile(
+    r"\b(?:total[ei]?|whole|entire|gesamte?[rnms]?|gesamt\w+|complessiv[oa]|complète"
+    r"|of\s+(?:the\s+|this\s+)?engine|engine\s+displacement|des\s+motors)\b|総|全(?!開|負荷)|エンジンの",
+    re.IGNORECASE,
+)
+"""Words for all cylinders of an engine."""
+_OF_ONE = re.compile(
+    r"(?:one|an?|single|each|eines|un|d['’]un|uno)\s+(?:einzelnen\s+|single\s+)?(?:cylind|zylind|cilind)|[1一]気筒",
+    re.IGNORECASE,
+)
+"""Words for one of them."""
 NEAR, SAME = 0.02, 0.004
 """How near a line comes to the quantity by rounding, and how near to a wrong value to be that."""
 
@@ -83,6 +108,7 @@ NEAR, SAME = 0.02, 0.004
 def _pattern(kind: str, words: str) -> re.Pattern[str]:
     units = "|".join(map(re.escape, sorted(filter(None, _UNITS[kind]), key=len, reverse=True)))
     unit = rf"(?:\s|\\,|\$|\{{|\\mathrm|\\text)*(?P<unit>{units})(?![A-Za-z0-9²³^/])"
+    unit += r"(?!\s[cm]?m(?![A-Za-z]))" if kind in ("mass", "force", "power") else ""  # kg m², N m
     unit = rf"(?:{unit})?" if kind == "ratio" else unit
     return re.compile(words.format(number=rf"{_NUMBER}{unit}"), re.IGNORECASE if kind == "ratio" else 0)
 
@@ -101,11 +127,22 @@ def _word_pattern(role: str) -> re.Pattern[str]:
 _PATTERNS = {role: _word_pattern(role) for role in _KIND_OF if role not in (*RATES, "omega")}
 _ALONE = {
     role: _pattern(_KIND_OF[role], "{number}")
-    for role in ("volume", "pressure", "torque", "power", "mass")
+    for role in ("volume", "pressure", "torque", "power", "mass", "velocity", "inertia")
 }
 """Sizes whose unit says enough, where no words name them: 2.3 l."""
 _LONG = _pattern("length", r"{number}\s+(?i:long\b|lang\b|de\s+long\b)")
 """A connecting rod is 200 mm long."""
+_SPACES = re.compile(r"(?:\\[,;: ]|~|\\cdot(?![A-Za-z])|·)+")
+"""Between the parts of a unit, N\\,m and kg·m²."""
+_COMMA = re.compile(r"(?<=[0-9])\{,\}(?=[0-9])")
+_THOUSANDS_APART = re.compile(
+    r"(?:(?<=(?<![0-9.,}])[0-9])|(?<=(?<![0-9.,}])[0-9]{2})|(?<=(?<![0-9.,}])[0-9]{3}))(?:\\,"
+    r"|[ \u2009\u202f~])"
+    r"(?=[0-9]{3}(?![0-9]))"
+)
+"""The gap in 1 200, and in no 0,001 200."""
+_TURNS_BEFORE = re.compile(rf"毎分\s?\$?{_NUMBER}\$?\s?回転")
+"""4500 turns a minute, as Japanese says it."""
 _CYLINDERS = re.compile(
     r"(?<![0-9.,])(?P<count>[1-9]|1[0-9])\$?[\s-]+(?:cylinders|zylindern?|cylindres|cilindri|cilindros)\b",
     re.IGNORECASE,
@@ -159,7 +196,7 @@ class NamedNumbers:
         if len({round(log10(t), 2) for _, (t, _) in targets}) != 1:
             return None  # no formula, or two with two values: which is meant is open
         named, (target, roles) = targets[0]
-        if not self._is_slip(named, target, roles, results, values, numbers):
+        if not self._is_slip(_of_all_cylinders(named), target, roles, results, values, numbers):
             return None
         text = self.named.text(name, named)
         sizes = ", ".join(f"{role.replace('_', ' ')} {_text(values[role])}" for role in sorted(roles))
@@ -184,6 +221,9 @@ class NamedNumbers:
     ) -> bool:
         wrong = [value for node in named.quantity.mistakes if (value := _value(node, values)) is not None]
         others = [value for node in named.quantity.others if (value := _value(node, values)) is not None]
+        may_be_all = any("cylinders" in names(node) for node in named.quantity.formulas)
+        if may_be_all and "cylinders" not in roles and not _OF_ONE.search(named.sentence):
+            others.append(values.get("cylinders", 0) * target)  # π d² s of four cylinders
         if any(isclose(r, o, rel_tol=NEAR) for r in results for o in others):
             return False
         if any(isclose(r, w, rel_tol=SAME) for r in results for w in wrong):
@@ -193,6 +233,9 @@ class NamedNumbers:
         digits = {_digits(float(number)) for number in numbers if number}
         of_roles = [_digits(values[role]) for role in roles if role != "cylinders"]
         speeds = [_digits(values[role] * 60) for role in RATES if role in roles]
+        halves = {d for n in numbers if n for d in (_digits(2 * float(n)), _digits(float(n) / 2))}
+        is_half_stroke = "stroke" in roles and _digits(values["stroke"]) in halves
+        digits |= {_digits(values["stroke"])} if is_half_stroke else set()
         missing = [d for d in of_roles if d not in digits]
         is_of_speed = missing == [_digits(values.get("rotation", 0) or 1)]
         if missing and not (is_of_speed and any(d in digits for d in speeds)):
@@ -226,13 +269,22 @@ class NamedNumbers:
         cylinders is put in where the line has it.
         """
         has_count = Fraction(values.get("cylinders", 0)) in numbers
+        is_of_all = (
+            _OF_ALL.search(f"{named.words} {named.sentence}") is not None and "cylinders" in values
+        )
+        has_count |= is_of_all
         faster = {**values, **{role: 60 * values.get(role, 0) for role in RATES}}
         rows = [
             (names(node), value, _value(node, faster))
             for node in named.quantity.formulas
             if (value := _value(node, values)) is not None and value > 0
         ]
+        counts_cycles = any("cycles" in own for own, _, _ in rows)
+        of_all = {own - {"cylinders"} for own, _, _ in rows if is_of_all and "cylinders" in own}
+        rows = [row for row in rows if row[0] not in of_all]  # one cylinder's, where words ask for all
         for own, value, of_minutes in rows:
+            if counts_cycles and "cycles" not in own and not speaks_of_cycles(named.sentence):
+                continue  # of a decay over five periods, and not over one
             is_per_minute = bool(own & {*RATES}) and any(
                 other == own and third != value and of_minutes and isclose(of_minutes, third)
                 for other, third, _ in rows
@@ -248,10 +300,15 @@ class NamedNumbers:
         start = chain.start
         text = self.named.document.text[max(0, start - REACH) : start]
         opening = max(text.rfind("\n#"), text.rfind("\\section"), text.rfind("<h"))
-        text = self.named.words.glossary.english(text[opening + 1 :])
+        source = _with_plain_numbers(text[opening + 1 :])
+        text = self.named.words.glossary.english(source)
+        beside = lengths_beside(text)
         several: dict[str, list[float]] = {
-            role: list(_numbers(pattern, text, _KIND_OF[role])) for role, pattern in _PATTERNS.items()
+            role: [*_numbers(pattern, text, _KIND_OF[role], beside.places), *beside.of(role)]
+            for role, pattern in _PATTERNS.items()
         }
+        for role, number in decays_beside(source):
+            several.setdefault(role, []).append(number)
         for role in RATES:
             several[role] = list(_numbers(_SPEEDS, text, "speed"))
         several["rod"] = several["rod"] or list(_numbers(_LONG, text, "length"))
@@ -285,6 +342,28 @@ class NamedNumbers:
             if own and all(isclose(n, own[0], rel_tol=SAME) for n in own):
                 single[role] = own[0]
         return single
+
+
+def _with_plain_numbers(text: str) -> str:
+    r"""Return a text with its numbers and units as they are read here.
+
+    >>> _with_plain_numbers(r"$1\,200\,\mathrm{N\,m}$, $0{,}3$ und 毎分4500回転")
+    '$1200 \\mathrm{N m}$, $0.3$ und 4500 rpm'
+    """
+    text = _THOUSANDS_APART.sub("", text)
+    return _TURNS_BEFORE.sub(r"\g<number> rpm", _SPACES.sub(" ", _COMMA.sub(".", text)))
+
+
+def _of_all_cylinders(named: Named) -> Named:
+    """Return a quantity without the words that ask for all cylinders, if it has a formula of them.
+
+    The total displacement of a four-cylinder engine is that of its four cylinders, and no other part.
+    """
+    if not any("cylinders" in names(node) for node in named.quantity.formulas):
+        return named
+    if not _OF_ALL.search(f"{named.words} {named.sentence}"):
+        return named
+    return replace(named, sentence=ENGINE.sub(" ", _OF_ALL.sub(" ", named.sentence)))
 
 
 def _is_of_count(named: Named) -> bool:
@@ -321,8 +400,12 @@ def _is_change_of_units(ratio: float) -> bool:
     )
 
 
-def _numbers(pattern: re.Pattern[str], text: str, kind: str) -> Iterator[float]:
+def _numbers(
+    pattern: re.Pattern[str], text: str, kind: str, taken: frozenset[int] = frozenset()
+) -> Iterator[float]:
     for match in pattern.finditer(text):
+        if match.start("number") in taken:
+            continue  # the bore and 90 mm of stroke
         if _THOUSANDS.fullmatch(match["number"]) and "." not in match["number"]:
             continue  # 1,800 J may be one or the other
         number = float(match["number"].replace(",", ".")) * _UNITS[kind][match["unit"] or ""]

@@ -941,7 +941,9 @@ def _is_rounded(target: Formula, claim: Formula) -> bool:
         return False
     digits = str(numbers[0]).rstrip("0")
     unit = 10 ** (len(str(numbers[0])) - len(digits))
-    return len(digits) >= _FEWEST_DIGITS and abs(numbers[0] / factor - numbers[0]) <= max(Fraction(unit, 2), 1)
+    return len(digits) >= _FEWEST_DIGITS and abs(numbers[0] / factor - numbers[0]) <= max(
+        Fraction(unit, 2), 1
+    )
 
 
 def _has_arm_of_another(name: str, own: frozenset[str]) -> bool:

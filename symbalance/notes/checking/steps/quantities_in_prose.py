@@ -16,7 +16,7 @@ from symbalance.notes.checking.deciding.descriptions import describe
 from symbalance.notes.checking.deciding.equality import REFUTED, Decision
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.numbers_of_their_units import has_several_in_a_turn
-from symbalance.notes.checking.units.dimensions import written_unit
+from symbalance.notes.checking.units.dimensions import unit_of, written_unit
 from symbalance.notes.checking.units.worded_units import WordedUnit, worded_unit
 from symbalance.notes.checking.verdicts import DEFINITION, PREMISE, UNDECIDED, Verdict
 from symbalance.notes.reading.equations import Chain, Side
@@ -31,7 +31,7 @@ _NUMBER = re.compile(
 _SPACES = re.compile(r"\\,|[ \u2009\u202f~]")
 _RATIO_OF_UNITS = re.compile(
     r"(?<![\w.,])1\s*(?:\\,|~|\$|\\mathrm|\{|\s)*[^\W\d_]{1,6}[^.;=]{0,30}=|(?<![^\W\d_])(?:one|an?|eine?|une?|uno|una)\s+(?:[^\W\d_-]+[\s-]){0,3}?"
-    r"(?:\([^()]*\)\s*)?(?:has|is|are|equals?|ist|sind|hat|entspricht|beträgt|vaut|est|correspond|è|vale|equivale|es)(?![^\W\d_])"
+    r"(?:\([^()]*\)\s*)?(?:has|is|are|equals?|corresponds\s+to|ist|sind|hat|entspricht|beträgt|vaut|est|correspond|è|vale|equivale|corrisponde|corresponde|es)(?![^\W\d_])"
     r"|(?<![^\W\d_])(?:in|to|per)\s+an?\s+[^\W\d_]+\s*(?:and|$)|(?<![^\W\d_])(?:umrechnung|conversion|facteur|fattore|factor)|[はが].{0,20}に等しい",
     re.IGNORECASE,
 )
@@ -47,6 +47,21 @@ _THIS_IS = re.compile(
 _ITS = re.compile(
     r"(?<![^\W\d_])(?:its|their|ihre?|seine?|sa|son|leur|sua|suo|su)(?![^\W\d_])|その", re.IGNORECASE
 )
+_DELIVERS = re.compile(
+    r"(?<![^\W\d_])(?:engine|motor|motore|moteur|machine|macchina|máquina|maschine)(?![^\W\d_])[^.;$]{0,40}?(?<![^\W\d_])(?:delivers?|develops?|makes|produces|gives"
+    r"|leistet|liefert|fournit|développe|délivre|eroga|sviluppa|fornisce|entrega|desarrolla|suministra)(?![^\W\d_])"
+    r"|エンジンは[^。]{0,20}を(?:出す|発生|出力)",
+    re.IGNORECASE,
+)
+"""Words by which an engine gives what is in watts: that is its power."""
+_POWER = re.compile(
+    r"(?<![^\W\d_])(?:power|(?:motor)?leistung|puissance|potenza|potencia)(?![^\W\d_])"
+    r"(?!\s+(?:of|at|der|des|an|de|du|d['’]|del|della|dell['’]|à|alla)(?![^\W\d_])\s*(?:(?:the|la|el)\s+|l['’])?"
+    r"(?!engine|motor|moteur|machine|máquina|macchina))|出力|動力",
+    re.IGNORECASE,
+)
+"""The power, and that of no other thing than the engine."""
+_WATTS = unit_of("W")
 _IN_A_UNIT = re.compile(
     r"(?<![^\W\d_])(?:in|en)\s+(?:the\s+)?(?:(?P<base>(?:SI|basic?|base|coherent|metric|unités|unità|unidades)(?![^\W\d_]))|(?=[^\W\d_]))"
     r"|(?P<converted>converted|umgerechnet|converti[es]?|convertit[oai]|convertid[oa]s?|換算)",
@@ -214,6 +229,8 @@ def _speaks_of_it(state: JudgingState, chain: Chain, sentence: str, given: _Give
     )
     first, second = ({*_NOUN.findall(words)} for words in (given.sentence, sentence))
     is_same = not second - _UNIT_WORDS or bool(first & second - _UNIT_WORDS)
+    if given.unit.dimension == _WATTS and _DELIVERS.search(given.sentence):
+        is_same |= _POWER.search(sentence) is not None
     return asked and (is_same or _ITS.search(sentence) is not None)
 
 

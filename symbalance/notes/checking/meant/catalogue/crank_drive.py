@@ -119,20 +119,31 @@ CRANK_DRIVE: tuple[Quantity, ...] = (
         words(r"mean\s+(?:piston\s+)?speed(?:\s+of\s+the\s+piston)?",
         r"mean\s+(?:piston\s+)?velocity(?:\s+of\s+the\s+piston)?",
                r"average\s+piston\s+(?:speed|velocity)", r"mittlere\s+kolbengeschwindigkeit",
-               r"平均ピストン(?:速度|スピード)", r"ピストン(?:の)?平均速度"),
+               r"平均ピストン(?:速度|スピード)", r"ピストン(?:の)?平均速度",
+               r"(?:its|whose|the\s+piston['’]s)\s+(?:mean|average)\s+(?:speed|velocity)",
+               r"(?:speed|velocity|vitesse|velocit[àa]|velocidad)\s+(?:mean|moyenne|media)(?:\s+(?:of|du|del)\s+"
+               r"(?:the\s+)?piston\w*)?",
+               r"(?:seine|deren|dessen|die)\s+mittlere\s+geschwindigkeit(?:\s+des\s+kolbens)?",
+               r"(?:その)?平均(?:の)?速度"),
         (2 * stroke * rotation, stroke * rotation / 30, 4 * crank * rotation, crank * rotation / 15,
          stroke * omega / PI, 2 * crank * omega / PI),
         never=words(_STROKES_IN_A_TIME),
         unless=words(r"doppelh|mean square|quadrat|crank ?pin|rim|umfang|circumf"
         r"|周速|\bgas|luft"
-                      r"|half[- ]stroke"),
+                      r"|half[- ]stroke|vehicle|fahrzeug|\bcar\b|véhicule|車両|\bvalve|ventil"
+                      r"|soupape|valvola|válvula|バルブ"
+                      r"|\boil\b|\böl|\bhuile|\bolio\b|aceite"),
         only=words(r"piston|kolben|ピストン"),
     ),
     Quantity(
         "swept volume", letters("V Q"),
         words(r"swept\s+volume", r"(?:piston|engine|cylinder)\s+displacement",
         r"displacement\s+volume",
-               r"cubic\s+capacity", r"displacement\s+of\s+(?:one|a|each)\s+cylinder",
+               r"(?:total|whole"
+               r"|entire)\s+(?:\w+\s+)?displacement",
+               r"displacement\s+of\s+(?:the\s+)?(?:whole\s+)?engine",
+               r"gesamt-?(?:hubraum"
+               r"|hubvolumen)", r"cubic\s+capacity", r"displacement\s+of\s+(?:one|a|each)\s+cylinder",
         r"hubraum", r"hubvolumen", r"行程容積", r"総?排気量"),
         (PI * diameter**2 * stroke / 4, PI * diameter**2 * stroke * cylinders / 4,
          PI * diameter**2 * crank / 2, PI * diameter**2 * crank * cylinders / 2, area * stroke,

@@ -189,10 +189,12 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
     ("rod", "l L ell", r"length|rod|lang|länge|pleuel|stange|長さ?|連接棒|コンロッド"),
     ("ratio", "lambda rho varepsilon epsilon", r"ratio|verhältnis|比"),
     ("volume", "V", r"volume|displacement|hubraum|hubvolumen|容積|排気量"),
-    ("clearance", "V", r"clearance(?: volume)?|compression (?:volume|space)|volume (?:left|remaining)|schadraum|(?:kompressions"
+    ("clearance", "V", r"clearance(?: volume)?|compression (?:volume|space)|volume (?:left"
+                       r"|remaining)|schadraum|(?:kompressions"
     r"|verdichtungs|brenn)"
      r"(?:raum|volumen)|(?:すきま|隙間|燃焼室)容積", "c k K C 0 cl comp v V"),
-    ("swept", "V", r"swept(?: volume)?|displacement|displaced volume|volume displaced|hubraum|hubvolumen|行程容積|排気量",
+    ("swept", "V", r"swept(?: volume)?|displacement|displaced volume|volume displaced|hubraum"
+                   r"|hubvolumen|行程容積|排気量",
     "h H s S d D st hub"),
     ("total_volume", "V", r"total volume|whole volume|gesamtvolumen|全容積", "",
     "c k K C 0 cl comp v V h H s S hub"),

@@ -169,7 +169,8 @@ _SAME_WAY = (
 )
 """Words by which two springs are shortened alike, one beside or within the other."""
 _SERIES = words(
-    _SAME_FORCE, r"(?:l'un|une|un)e?\s+derrière\s+l'autre", r"\ben\s+série\b", r"\bin\s+serie\b", r"\ben\s+serie\b",
+    _SAME_FORCE, r"(?:l'un|une|un)e?\s+derrière\s+l'autre", r"\ben\s+série\b",
+    r"\bin\s+serie\b", r"\ben\s+serie\b",
     r"un[oa]\s+dietro\s+l'altr[oa]", r"un[oa]\s+(?:detrás\s+de|tras)\s+otr[oa]",
     r"(?:springs|connected|shafts|arranged|rates)\s+in\s+series",
     r"one\s+(?:behind|after)\s+the\s+other", r"end\s+to\s+end", r"series\s+(?:stiffness|connection)",
@@ -177,10 +178,15 @@ _SERIES = words(
     r"直列(?:ばね|接続|結合)?",
 )  # fmt: skip
 _PARALLEL = words(
-    _SAME_WAY, r"ineinander\s?(?:gesteckt\w*|geschachtelt\w*|liegen\w*)?", r"nested", r"concentric\w*\s+springs",
-    r"one\s+(?:inside|within)\s+(?:of\s+)?the\s+other", r"konzentrische\w*\s+federn", r"入れ子", r"同心", r"二重(?:ばね|スプリング)",
-    r"(?:l'un|une|un)e?\s+(?:dans|à\s+côté\s+de)\s+l'autre", r"\ben\s+parallèle\b", r"\bin\s+parallelo\b", r"\ben\s+paralelo\b",
-    r"un[oa]\s+(?:dentro|accanto)\s+(?:a\s+)?(?:l'|al)?altr[oa]", r"un[oa]\s+(?:dentro\s+de|junto\s+a)\s+(?:la\s+)?otr[oa]",
+    _SAME_WAY, r"ineinander\s?(?:gesteckt\w*|geschachtelt\w*"
+               r"|liegen\w*)?", r"nested", r"concentric\w*\s+springs",
+    r"one\s+(?:inside|within)\s+(?:of\s+)?the\s+other", r"konzentrische\w*\s+federn",
+    r"入れ子", r"同心", r"二重(?:ばね|スプリング)",
+    r"(?:l'un|une|un)e?\s+(?:dans"
+    r"|à\s+côté\s+de)\s+l'autre", r"\ben\s+parallèle\b",
+    r"\bin\s+parallelo\b", r"\ben\s+paralelo\b",
+    r"un[oa]\s+(?:dentro|accanto)\s+(?:a\s+)?(?:l'|al)?altr[oa]", r"un[oa]\s+(?:dentro\s+de"
+        r"|junto\s+a)\s+(?:la\s+)?otr[oa]",
     r"(?:springs|connected|shafts|arranged|rates)\s+in\s+parallel",
     r"parallel\s+(?:springs|stiffness|connection)",
     r"side\s+by\s+side", r"one\s+inside\s+the\s+other", r"nebeneinander\w*",
@@ -599,7 +605,8 @@ STRENGTH: tuple[Quantity, ...] = (
                   1 / (1 / first_rate + 1 / second_rate), (first_rate + second_rate) / 2,
                   root(first_rate * second_rate), root(first_rate**2 + second_rate**2)),
         only=_PARALLEL, unless=words(
-            r"series|\bserie\b|série|reihe|hintereinander|直列|complian|nachgiebig|flexibil|three|drei|average|mean\b", _SAME_FORCE),
+            r"series|\bserie\b|série|reihe|hintereinander|直列|complian|nachgiebig|flexibil|three"
+            r"|drei|average|mean\b", _SAME_FORCE),
     ),
     Quantity(
         "equivalent length of a shaft", letters("l L ell"),
