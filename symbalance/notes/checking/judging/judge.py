@@ -194,6 +194,7 @@ from symbalance.notes.checking.steps.rates_with_numbers import (
     with_numbers_of_open_letters,
     with_numbers_of_rates,
 )
+from symbalance.notes.checking.steps.ratios_by_products_in_words import unless_of_other_product
 from symbalance.notes.checking.steps.ratios_given_anew import leave_letters_of_ratio
 from symbalance.notes.checking.steps.ratios_of_amplitudes import unless_other_ratio
 from symbalance.notes.checking.steps.rearranged_line_before import by_line_before
@@ -392,6 +393,7 @@ _LAST: tuple[_Look, ...] = (
     unless_sum_of_results,
     unless_mean_of_extremes,
     unless_of_two_parts,
+    unless_of_other_product,
 )
 """What does so once a relation has been read in its case and its row."""
 
