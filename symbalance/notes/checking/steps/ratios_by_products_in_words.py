@@ -90,6 +90,8 @@ _FACTOR = re.compile(
     r"\s*(?P<letter>\\?[A-Za-z]+?(?![A-Za-z])"
     r"|[A-Za-z])(?:_\{?\w+\}?)?\s*(?:\^\s*\{?(?P<power>[0-9])\}?)?"
 )
+_STRESSES = frozenset(f"{stem}{index}" for stem in ("sigma", "tau") for index in ("", "_1", "_2", "'"))
+"""Letters of stresses, which are a force over an area."""
 _NEAR, _POINTS = 700, (2.0, 3.0)
 _CLOSE = 1e-9
 
@@ -119,10 +121,6 @@ def unless_of_other_product(state: JudgingState, chain: Chain, k: int, verdict: 
     parts = ", ".join(f"{kind} with {shown}^{growth[kind]}" for kind, _ in factors)
     reason = f"it goes with {shown}^{expected}: {parts}"
     return describe(state.document, chain, k, Decision(REFUTED, reason))
-
-
-_STRESSES = frozenset(f"{stem}{index}" for stem in ("sigma", "tau") for index in ("", "_1", "_2", "'"))
-"""Letters of stresses, which are a force over an area."""
 
 
 def _is_ratio(head: Formula) -> bool:
