@@ -14,7 +14,8 @@ PAGES = (
     f"In a four-in-line one cylinder gives the force of second order {ONE}. "
     "The second-order force of the whole engine is $F_2 = {}$.",
     "The four-in-line has cranks at $0^\\circ$, $180^\\circ$, $180^\\circ$ and $0^\\circ$. "
-    f"The second-order force of a single cylinder is {ONE}. The resultant of second order is $F_2 = {{}}$.",
+    f"The second-order force of a single cylinder is {ONE}. "
+    "The resultant of second order is $F_2 = {}$.",
     f"Beim Reihenvierzylinder liefert jeder Zylinder in der zweiten Ordnung {ONE}. "
     "Die freie Massenkraft zweiter Ordnung ist $F_2 = {}$.",
     f"Dans un quatre cylindres en ligne, chaque piston donne la force du second ordre {ONE}. "
@@ -38,13 +39,15 @@ def test_the_whole_engine_gives_all_its_cylinders(page: str) -> None:
 @pytest.mark.parametrize(
     "page",
     [
-        "The inline four is common. A single-cylinder engine is simple: its resultant second-order force is {}.",
+        "The inline four is common. A single-cylinder engine is simple: its resultant "
+        "second-order force is {}.",
         "The inline four has four pistons. Each cylinder has a free second-order force {}.",
-        "In the inline four each cylinder gives a force of second order. This free force of second order is {}, "
-        "and all four are in phase.",
-        "Der Reihenvierzylinder hat vier Kolben. Jeder Zylinder hat die freie Massenkraft zweiter Ordnung {}.",
-        "In the inline four each cylinder gives a second-order force. The total second-order force per cylinder "
-        "is {}.",
+        "In the inline four each cylinder gives a force of second order. This free force of second order "
+        "is {}, and all four are in phase.",
+        "Der Reihenvierzylinder hat vier Kolben. Jeder Zylinder hat die freie "
+        "Massenkraft zweiter Ordnung {}.",
+        "In the inline four each cylinder gives a second-order force. The total second-order force "
+        "per cylinder is {}.",
     ],
 )
 def test_a_force_of_one_cylinder_is_not_accused(page: str) -> None:

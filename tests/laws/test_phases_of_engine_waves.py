@@ -33,7 +33,7 @@ def test_a_couple_runs_before_or_behind_a_crank_of_its_engine(wave: str, is_show
     "phases",
     [
         r"The pistons have the phases $\theta$, $\theta+120^\circ$ and $\theta+240^\circ$. ",
-        r"Die Kolben haben die Phasen $\theta$, $\theta + \frac{2\pi}{3}$ und $\theta + \frac{4\pi}{3}$. ",
+        r"Die Kolben haben die Phasen $\theta$, $\theta + \frac{2\pi}{3}$, $\theta + \frac{4\pi}{3}$. ",
         r"Les phases sont $\theta$, $\theta+2\pi/3$ et $\theta+4\pi/3$. ",
         r"Le fasi sono $\theta$, $\theta+120^\circ$ e $\theta+240^\circ$. ",
         r"位相は $\theta$、$\theta+120^\circ$、$\theta+240^\circ$ である。 ",
@@ -49,9 +49,9 @@ def test_phases_that_the_page_lists_leave_one(phases: str) -> None:
 
 def test_a_wrong_phase_is_refuted_against_the_moment_above() -> None:
     page = (
-        f"{THREE}The phases are $\\theta$, $\\theta+120^\\circ$ and $\\theta+240^\\circ$. The outer ones leave "
-        r"$C = m r\omega^2 a[\cos\theta - \cos(\theta+240^\circ)]$. In one wave, the primary couple is "
-        r"$C = \sqrt{{3}}\,m r\omega^2 a\cos(\theta {} 30^\circ)$."
+        f"{THREE}The phases are $\\theta$, $\\theta+120^\\circ$ and $\\theta+240^\\circ$. "
+        r"The outer ones leave $C = m r\omega^2 a[\cos\theta - \cos(\theta+240^\circ)]$. "
+        r"In one wave, the primary couple is $C = \sqrt{{3}}\,m r\omega^2 a\cos(\theta {} 30^\circ)$."
     )
     assert last(page.format("+")) == "holds"
     assert last(page.format("-")) == "refuted"

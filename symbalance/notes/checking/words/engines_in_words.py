@@ -213,9 +213,7 @@ class CrankStar:
         count = len(self.degrees)
         return [Fraction(count - 1 - 2 * k, 2) for k in range(count)]
 
-    def whole(
-        self, order: int, *, is_couple: bool, degrees: tuple[int | Fraction, ...] = ()
-    ) -> complex:
+    def whole(self, order: int, *, is_couple: bool, degrees: tuple[int | Fraction, ...] = ()) -> complex:
         """Return the sum of the cylinders' phasors, of cranks that stand elsewhere if these are given."""
         star = replace(self, degrees=degrees) if degrees else self
         return star._whole(order, star._arms if is_couple else [Fraction(1)] * len(star.degrees))

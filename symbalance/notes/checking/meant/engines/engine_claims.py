@@ -97,7 +97,9 @@ OF_ALL = re.compile(
     re.IGNORECASE,
 )
 """Words that make a force that of all cylinders together."""
-_MACHINE_BEHIND = re.compile(r"[\s-]?(?:engine|motor|moteur|machine|maschine|機関|エンジン)", re.IGNORECASE)
+_MACHINE_BEHIND = re.compile(
+    r"[\s-]?(?:engine|motor|moteur|machine|maschine|機関|エンジン)", re.IGNORECASE
+)
 """What makes one cylinder an engine of its own: a single-cylinder engine."""
 _AND = re.compile(r"\b(?:and|und|et|y|ed?|en)\b")
 """Words behind which something else is said."""
@@ -584,9 +586,7 @@ class EngineClaims:
         return replace(engine, stars=(CrankStar(listed.degrees),))
 
 
-def _without_units(
-    named: list[NamedEngine], start: int, *, is_of_all: bool = False
-) -> list[NamedEngine]:
+def _without_units(named: list[NamedEngine], start: int, *, is_of_all: bool = False) -> list[NamedEngine]:
     """Return several mentions without the one cylinder that an engine's name comes behind.
 
     A force of the whole engine is of the one with several cylinders, though one cylinder's comes last.

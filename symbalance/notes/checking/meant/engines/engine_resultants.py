@@ -618,7 +618,7 @@ class EngineResultants:
         return is_said or any(is_all for _, is_all in amounts)
 
     def _without_what_one_does(self, chain: Chain, claim: EngineClaim) -> str:
-        """Return the page without the words before a whole engine's force that say what one cylinder does.
+        """Return the page without the words before a whole engine's force on what one cylinder does.
 
         "Each cylinder gives m r ω² λ cos 2θ. The resultant of the engine is" tells the two apart, unless
         the words behind speak of the number of the cylinders: "and four of them".

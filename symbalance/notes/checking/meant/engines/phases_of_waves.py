@@ -1,8 +1,8 @@
 """Whether the wave of an engine's force or couple has the phase of the cranks: √3 m r ω² a cos(θ + 30°).
 
 Three cranks at 0°, 120° and 240° give a couple that runs 30° before or behind the first crank, by the
-direction of turning; 60° is no phase of theirs, whichever crank θ is counted from. Where the page gives the
-phases of the pistons themselves, θ, θ + 120° and θ + 240°, they leave one phase.
+direction of turning; 60° is no phase of theirs, whichever crank θ is counted from. Where the page gives
+the phases of the pistons themselves, θ, θ + 120° and θ + 240°, they leave one phase.
 """
 
 from __future__ import annotations
@@ -80,17 +80,15 @@ def _same(one: float, other: float) -> bool:
 def _listed(text: str, letter: str, count: int) -> tuple[Fraction, ...] | None:
     """Return the phases that a text gives last for all pistons: θ, θ + 120° and θ + 240°.
 
-    >>> [int(d) for d in _listed(r"the phases are $\\theta$, $\\theta-120^\\circ$ and $\\theta-240^\\circ$", "theta", 3)]
+    >>> [int(d) for d in _listed("the phases are θ, θ-120° and θ-240°", "theta", 3)]
     [0, -120, -240]
     """
     sign = r"(?:(?<![A-Za-z_])|(?=\\))" + r"\s*".join(sign_of(part) for part in letter.split())
     items = [rf"{sign}\s*(?:{_SHIFT.format(k=k)})?" for k in range(count)]
-    found = None
-    for found in re.compile(_BETWEEN.join(items)).finditer(text):
-        pass
-    if found is None:
+    lists = [*re.compile(_BETWEEN.join(items)).finditer(text)]
+    if not lists:
         return None
-    shifts = tuple(_degrees(found.groupdict(), k) for k in range(count))
+    shifts = tuple(_degrees(lists[-1].groupdict(), k) for k in range(count))
     return shifts if len(set(shifts)) > 1 else None
 
 
