@@ -440,6 +440,10 @@ ENGINE_RATES = {
     "frequency of that force of the second order": [
         (SIX, mpf(zero_crossings(2))), (A_MINUTE, mpf(zero_crossings(2))),
     ],
+    "speed of the camshaft of a four-stroke engine": [
+        *(({name: F(50)}, mpf(len(range(0, 50, 2)))) for name in ("turn_rate", "rotation")),
+        ({"omega": exact(100 * mp.pi)}, 2 * mp.pi * len(range(0, 50, 2))),  # every second turn again
+    ],
     "speed of the balance shafts of four cylinders in line": [
         (SIX, mpf(zero_crossings(2))), ({"omega": F(300)}, mpf(600)),
     ],

@@ -65,6 +65,11 @@ def half_left():
     return abs(MASS * PIN * OMEGA**2 * (mp.cos(turn) - mp.expj(turn) / 2))
 
 
+def half_left_along(turn):
+    """Return what a weight of half the mass, opposite to the crank, leaves in the line of the stroke."""
+    return (MASS * PIN * OMEGA**2 * (mp.cos(turn) - mp.expj(turn) / 2)).real
+
+
 def firing():
     """Return the intervals of two cylinders on one pin, each firing where the pin is on its own axis."""
     places = [-BANK / 2, BANK / 2 + 2 * mp.pi, -BANK / 2 + 4 * mp.pi]
@@ -113,6 +118,11 @@ SECTIONS_AND_FIRING = {
     ],
     "force that half a balance leaves": [
         ({"mass": exact(MASS), "pin": exact(PIN), "omega": exact(OMEGA)}, half_left())
+    ],
+    "force that half a balance leaves along the cylinder": [
+        ({"mass": exact(MASS), "pin": exact(PIN), "omega": exact(OMEGA), "crank_angle": F(7, 10)},
+         half_left_along(mpf("0.7"))),
+        ({"mass": exact(MASS), "pin": exact(PIN), "omega": exact(OMEGA)}, half_left_along(mpf(0))),
     ],
     "shorter firing interval of two cylinders on one pin": [({"bank": exact(BANK)}, firing()[0])],
     "longer firing interval of two cylinders on one pin": [({"bank": exact(BANK)}, firing()[1])],

@@ -2,6 +2,7 @@
 
 import pytest
 
+from symbalance.notes.checking import check
 from tests.checked_pages import last_in
 
 VELOCITY = (
@@ -42,3 +43,45 @@ def test_a_force_is_against_the_acceleration_where_both_count_alike(words, verdi
     page = f"The piston acceleration is $a = {ACCELERATION} {words}The inertia force is "
     assert last_in(f"{page}$F = -m {ACCELERATION}") == "conditional"
     assert last_in(f"{page}$F = m {ACCELERATION}") == verdict
+
+
+AGAINST = [
+    ("The piston acceleration $a = {}$, $\\lambda = r/l$, is positive towards the crank. "
+     "The inertia force is opposite to the acceleration{}, ", " and has the magnitude"),
+    ("Die Kolbenbeschleunigung $a = {}$, $\\lambda = r/l$, ist zur Kurbel hin positiv. "
+     "Die Massenkraft ist der Beschleunigung entgegengerichtet{}, ", " und hat den Betrag"),
+    ("L'accélération du piston $a = {}$, $\\lambda = r/l$, est positive vers la manivelle. "
+     "La force d'inertie est opposée à l'accélération{}, ", " et a pour module"),
+    ("L'accelerazione del pistone $a = {}$, $\\lambda = r/l$, è positiva verso la manovella. "
+     "La forza d'inerzia è opposta all'accelerazione{}, ", " e ha il modulo"),
+    ("ピストンの加速度 $a = {}$ はクランクに向かう方向を正とする($\\lambda = r/l$)。"
+     "慣性力は加速度と逆向きで{}、", "その大きさは"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("words", "size"), AGAINST, ids=["en", "de", "fr", "it", "ja"])
+def test_a_force_said_to_be_against_the_acceleration_has_the_other_sign(words, size):
+    formula = ACCELERATION.removesuffix("$.")
+    page = words.format(formula, "")
+    assert last_in(f"{page}$F = -m {ACCELERATION}") == "conditional"
+    assert last_in(f"{page}$F = m {ACCELERATION}") == "refuted"
+    assert last_in(f"{words.format(formula, size)}$F = m {ACCELERATION}") == "conditional"
+    assert last_in(f"{page}$F = m {ACCELERATION[:-1]}, positive outwards.") == "conditional"
+
+
+def test_without_a_positive_direction_only_the_size_may_be_meant():
+    page = f"The piston acceleration is $a = {ACCELERATION} "
+    page += "The inertia force is opposite to the acceleration, "
+    assert last_in(f"{page}$F = m {ACCELERATION}") == "conditional"
+
+
+def test_a_declared_acceleration_counts_too():
+    def last(formula: str) -> str:
+        verdicts = check(f"{page}{formula}\n", symbols).verdicts
+        return max(verdicts, key=lambda v: (v.line, v.span)).verdict
+
+    symbols = {"a": "ピストン加速度 [m/s^2]", "lambda": "r/l [-]", "m": "往復質量 [kg]"}
+    page = f"加速度 $a = {ACCELERATION[:-1]} はクランクに向かう向きを正とし、"
+    page += "力も同じ向きを正とする。慣性力は "
+    assert last(f"$F = -m {ACCELERATION}") == "conditional"
+    assert last(f"$F = m {ACCELERATION}") == "refuted"

@@ -186,6 +186,7 @@ from symbalance.notes.checking.steps.orders_at_odds import unless_of_named_order
 from symbalance.notes.checking.steps.own_row import by_own_row
 from symbalance.notes.checking.steps.percentages import unless_percent_of_it
 from symbalance.notes.checking.steps.places_in_words import unless_at_another_place
+from symbalance.notes.checking.steps.products_in_prose import unless_other_part_of_product
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
 from symbalance.notes.checking.steps.quantities_in_prose import unless_converted_from_prose
 from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
@@ -381,6 +382,7 @@ _LAST: tuple[_Look, ...] = (
     unless_against_what_stays,
     unless_of_other_coefficients,
     unless_against_forces,
+    unless_other_part_of_product,
     unless_at_another_place,
     unless_supposed_otherwise,
     unless_perpendicular,

@@ -114,6 +114,15 @@ _CENTROID = re.compile(
     re.IGNORECASE,
 )
 """The point whose distance from an end of a rod says how its mass is shared."""
+_BETWEEN_EYES = re.compile(
+    r"(?:between|zwischen|entre|tra|fra)\s+(?:the\s+|its\s+|de[nr]\s+|les\s+|gli\s+|los\s+|le\s+|i\s+|\w+\s+){0,3}?"
+    r"(?:eyes|(?:bore|bearing|eye|pin)\s+cent(?:re|er)s|(?:rod\s+)?ends|(?:pleuel|stangen|lager)?augen|augenmitten|œils|yeux"
+    r"|alésages|occhi|piedi?\s+e\s+(?:la\s+)?testa|ojos)(?![^\W\d_])"
+    r"|augenabstand|(?:pleuel)?stichmaß|entraxe\s+(?:de\s+(?:la\s+)?)?bielle|interasse\s+(?:della\s+)?biella"
+    r"|(?:大端|小端)[^。、]{0,8}(?:大端|小端)[^。、]{0,6}距離|(?:両端|穴)(?:の)?(?:中心)?間(?:の)?距離",
+    re.IGNORECASE,
+)
+"""What a rod's length is called by its ends: the distance between the eyes."""
 _DISTANCE = re.compile(r"(?:distance|abstand|distanza|distancia)\s*$", re.IGNORECASE)
 _IN_RADIANS = re.compile(r"rad\b|angular|winkelgeschw|angulaire|angolare|角速度", re.IGNORECASE)
 """An angular velocity at 6500 rpm is one."""
@@ -475,6 +484,8 @@ def _roles_in(meaning: str) -> frozenset[str]:
     The radius of a counterweight is not that of the crank pin, whose radius is none of a counterweight.
     """
     roles = frozenset(name for name, role in ROLES.items() if role.words.search(meaning))
+    if _BETWEEN_EYES.search(meaning):
+        roles |= {"rod"}
     if _OF_WEIGHT.search(meaning):
         return roles - {"pin"}
     return roles - {"arm_of_weight"} if _OF_CRANK.search(meaning) else roles

@@ -24,6 +24,7 @@ from symbalance.notes.checking.meant.catalogue.strength import HOLLOW
 from symbalance.notes.checking.meant.letter_roles import index_of, stem_of, without_accent
 from symbalance.notes.checking.meant.quantity_words import Named, QuantityWords
 from symbalance.notes.reading.equations import Chain
+from symbalance.text import lazy_patterns as re
 
 _BENDING, _TORSION, _EITHER = "bending", "torsion", "either"
 _USES = {
@@ -63,6 +64,13 @@ _FEW = 2
 """Letters of which a formula has at least one more, or a number: F = m a is too plain to be known."""
 
 
+_CLOSE = 80
+_CLAUSE_END = re.compile(r"[.;]\s|[。；]")
+_SUMMED = re.compile(r"(?<![^\W\d_])(?:sum|summe|somme|somma|suma)(?![^\W\d_])|和は|合計", re.IGNORECASE)
+_PROJECTED = "force of two cylinders on one pin"
+"""What is added up in one direction: words for a sum, of mere sizes, name something else."""
+
+
 @dataclass
 class QuantityForms:
     """Looks for the quantities that a formula of one document may be by its form."""
@@ -89,7 +97,11 @@ class QuantityForms:
                     if named.may_refute:
                         yield named
             return
+        before = self.words.document.text[max(0, chain.start - _CLOSE) : chain.start]
+        is_sum = _SUMMED.search(_CLAUSE_END.split(before)[-1]) is not None
         for quantity in _of_letter(name):
+            if is_sum and quantity.name.startswith(_PROJECTED):
+                continue
             if use and _USES.get(quantity.name) == use:
                 if "hollow" in quantity.name or not _HOLLOW.search(around.places.around):
                     yield around.by_use(

@@ -213,6 +213,11 @@ class CrankStar:
         count = len(self.degrees)
         return [Fraction(count - 1 - 2 * k, 2) for k in range(count)]
 
+    def whole(self, order: int, *, is_couple: bool, degrees: tuple[int | Fraction, ...] = ()) -> complex:
+        """Return the sum of the cylinders' phasors, of cranks that stand elsewhere if these are given."""
+        star = replace(self, degrees=degrees) if degrees else self
+        return star._whole(order, star._arms if is_couple else [Fraction(1)] * len(star.degrees))
+
     def _whole(self, order: int, arms: list[Fraction]) -> complex:
         """Return the sum of the cylinders' phasors of an order, each with its arm."""
         signs = self.signs or (1,) * len(self.degrees)
@@ -390,6 +395,16 @@ class EnginesInWords:
             is_usual = _THIRD.search(near) is not None  # its own sentence has cranks at 120°
             stars = (CrankStar(_INLINE[3]),) if is_usual else (CrankStar(_INLINE[3]), _FLAT_THREE)
         return replace(engine, stars=stars)
+
+
+def names_count(count: int, words: str) -> bool:
+    """Tell whether a number of cylinders stands in words, spelt out: "and four of them".
+
+    >>> names_count(4, "for all four"), names_count(4, "times 4")
+    (True, False)
+    """
+    spelt = "|".join(word for word in _WORDS.get(count, "").split() if not word.isdecimal())
+    return bool(spelt) and re.search(rf"(?<![^\W\d_])(?:{spelt})", words, re.IGNORECASE) is not None
 
 
 def engines_of_label(words: str) -> list[NamedEngine]:

@@ -65,6 +65,31 @@ _IN_POUNDS = (
 )
 """Words and quotients by which a page reckons with weights, and divides by g."""
 
+_ALONG_CYLINDER = (
+    r"(?:(?:along|in\s+line\s+with|in\s+the\s+(?:direction|line)\s+of)\s+(?:the\s+)?(?:line\s+of\s+)?(?:cylinder|stroke|bore)"
+    r"(?:\s+axis)?|in\s+(?:zylinder|hub)(?:achs)?richtung|in\s+richtung\s+der\s+zylinderachse|längs\s+des\s+zylinders"
+    r"|(?:suivant|selon|dans|in|(?:le|the)\s+long\s+(?:de|of)|lungo|secondo|según|a\s+lo\s+largo\s+(?:de|of))\s+"
+    r"(?:the\s+|l['’]|il\s+|el\s+)?(?:(?:axe|asse|shaft|axis|eje|direction|direzione|dirección)\s+(?:of|du|del)\s+)?(?:the\s+)?"
+    r"(?:cylinder|cylindre|cilindro)"
+    r"|(?:シリンダ(?:ー)?軸?|行程)方向)"
+)
+_REMAINS = (
+    r"(?:remain\w*|(?:is|are)\s+left|bleibt|verbleibt|übrig|reste|subsiste|rimane|resta|queda"
+    r"|残る|残留する)"
+)
+_REMAINS_ALONG = words(
+    rf"{_REMAINS}(?:\s+(?:unbalanced|only|noch|nur|encore|ancora|todavía))?\s*{_ALONG_CYLINDER}",
+    rf"{_ALONG_CYLINDER}(?:に)?は?\s*(?:(?:there|still|noch|nur|il)\s+)?{_REMAINS}(?:\s*(?:力|成分|慣性力)|\s+noch)?",
+)
+"""What remains along the cylinder, where a weight has taken its share."""
+_HALF_TAKEN = both(
+    words(
+        r"(?:counter-?weight|counterpoise|gegengewicht|ausgleichsgewicht|contrepoids|contrappes|contrapes|釣り?合いおもり|つりあいおもり"
+        r"|カウンタ)"
+    ),
+    words(r"\bhalf\b|50\s?\\?%|hälfte|\bmoitié|\bmetà|\bmitad|半分"),
+)
+"""Words for a counterweight that takes up half of what goes to and fro."""
 _WRONG_ACROSS = (
     (1 - share) * mass * pin * omega**2 * SIN_CRANK,
     -(1 - share) * mass * pin * omega**2 * SIN_CRANK,
@@ -156,6 +181,16 @@ BALANCE: tuple[Quantity, ...] = (
         ),
         unless=words(r"\bV\b|V-?twin|\btwo\b|zwei|second|zweite|2次|radial|secondaire"
                      r"|secondo ordine"), is_told_once=True,
+    ),
+    Quantity(
+        "force that half a balance leaves along the cylinder", letters("F R P X K"),
+        _REMAINS_ALONG, (mass * pin * omega**2 * COS_CRANK / 2, mass * pin * omega**2 / 2),
+        ("edit", "part", "power", "bare factor"),
+        mistakes=(mass * pin * omega**2 * COS_CRANK, mass * pin * omega**2 * SIN_CRANK / 2,
+                  mass * pin * omega**2 * SIN_CRANK, mass * pin * omega**2 * COS_CRANK / 4),
+        only=_HALF_TAKEN,
+        unless=words(r"\bV\b|V-?twin|\btwo\b|\bzwei|\bdeux\b|\bdue\b|radial|second|zweite|2次|unbalanced\s+mass"
+                     r"|balance shaft|ausgleichswelle|バランサ|multi|each"),
     ),
     Quantity(
         "residual force across the line of stroke", letters("F R P Y Q"),

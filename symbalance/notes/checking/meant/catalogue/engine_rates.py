@@ -217,6 +217,29 @@ ENGINE_RATES: tuple[Quantity, ...] = (
         unless=words(r"camshaft|nockenwelle|period|schwing|oscillat|vibrat|カム|振動"), is_told_once=True,
     ),
     Quantity(
+        "speed of the camshaft of a four-stroke engine", letters("n N f omega Omega w"),
+        words(r"(?:cam\s?shaft|cam)(?:['’]s)?\s+(?:rotational\s+|angular\s+)?(?:speed|velocity)",
+              r"(?:speed|velocity)\s+of\s+(?:the|its)\s+cam\s?shaft",
+              r"cam\s?shaft\s+(?:therefore\s+|thus\s+|only\s+)?(?:turns|runs|rotates|spins)(?:\s+(?:only\s+)?(?:at|with))?",
+              r"nockenwellen-?(?:drehzahl|geschwindigkeit)",
+              r"(?:drehzahl|winkelgeschwindigkeit)\s+der\s+nockenwelle",
+              r"nockenwelle\s+(?:dreht|läuft)(?:\s+sich)?(?:\s+(?:daher|also|somit|nur))?(?:\s+mit)?",
+              r"(?:vitesse|régime|velocità|velocidad|speed|rotational\s+speed)\s+(?:of|de|dell['’])\s*(?:the\s+|l['’])?"
+              r"(?:(?:shaft|arbre|albero|árbol)\s+)(?:at|à|a|of|de)\s+(?:cames?|camme|levas)",
+              r"カム(?:軸|シャフト)の?回転(?:速度|数)"),
+        (*(rate / 2 for rate in _RATES), omega / 2), ("factor", "bare factor", "power", "part"),
+        mistakes=(*(2 * rate for rate in _RATES), 2 * omega),
+        only=words(r"four[- ]?stroke|4[- ]?stroke|viertakt|quatre\s+temps|quattro\s+tempi"
+                   r"|cuatro\s+tiempos|4\s?サイクル|四サイクル"
+                   r"|[4四]\s?ストローク|every\s+two\s+(?:revolutions|turns)|every\s+second\s+(?:revolution|turn)"
+                   r"|tous\s+les\s+deux\s+tours|ogni\s+due\s+giri|cada\s+dos\s+vueltas|alle\s+zwei\s+umdrehungen"
+                   r"|jede\s+zweite\s+umdrehung"),
+        unless=words(r"two[- ]?stroke|zweitakt|deux\s+temps|due\s+tempi|dos\s+tiempos|2\s?サイクル"
+                     r"|\blobes?\b"
+                     r"|radial|sternmotor|cam\s+(?:ring|plate|disc)|nocken\s+pro|mehrere\s+nocken"),
+        is_told_once=True,
+    ),
+    Quantity(
         "crank radius by the stroke", letters("r R"),
         words(r"crank\s+(?:radius|throw)", r"kurbelradius", r"クランク半径",
         r"rayon\s+de\s+(?:la\s+)?manivelle",

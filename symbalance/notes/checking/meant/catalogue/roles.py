@@ -316,11 +316,13 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
      r"|between (?:the )?radii|zwischen den (?:radien|halbmessern)"),
     ("bank", "gamma delta alpha V beta", r"(?:bank|vee|V|included|cylinder|fork)[- ]?angle|bankwinkel"
      r"|V-winkel|gabelwinkel|バンク角|挟み角"
+     r"|(?:angle|angolo|ángulo) (?:of|du|del|della|de) (?:the |la )?V"
      r"|angle between the (?:banks|cylinders|cylinder (?:axes|lines))",
      "", "1 2 A B"),
     ("half_bank", "alpha beta gamma delta", r"half[- ](?:the )?(?:bank|vee|V|included)?[- ]?angle"
                                             r"|(?:bank|vee|V|included) ?-?angle(?: of)?"
-     r" 2|semi-?angle|angle between the (?:banks|cylinders|cylinder (?:axes|lines)) 2|winkel 2"
+     r" 2|(?:angle|angolo|ángulo) (?:of|du|del|della|de) (?:the |la )?V 2"
+     r"|semi-?angle|angle between the (?:banks|cylinders|cylinder (?:axes|lines)) 2|winkel 2"
      r"|halber? (?:bank|V-|gabel)winkel|半(?:バンク角|挟み角|V角)"
      r"|(?:バンク角|挟み角|V角)(?:の(?:半分|1/2|二分の一)(?:の角度?)?|[をはがの、]?\s?2)"
      r"|(?:demi-?angle|moitié de l['’]angle)"

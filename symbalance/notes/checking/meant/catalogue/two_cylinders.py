@@ -35,6 +35,7 @@ V_WORDS = (
     r"\b[VL]-?(?:twins?|engines?|motor(?:en)?|2|two|pair|form)\b|(?<![A-Za-z])vee\b|V形|V型|\bbanks?\b"
     r"|Zweizylinder-V|V-Zweizylinder|V2-Motors?|Gabelmotor|bankwinkel|moteur en V|bicylindre en V"
     r"|motor en V|two cylinders at \d+\s?°|bank angle|degree V\b|°\s?V\b|° twin"
+    r"|V-?winkel|V-angle|angle (?:du|of(?: the)?) V|angolo (?:del|della) V|ángulo de la V|V角|挟み角"
 )
 _MORE = (
     r"\bfour\b|\bsix\b|\beight\b|\bvier|\bsechs|\bacht|V-?(?:[4-9]|1[0-9])\b|W-?12|b[oó]xer|flat twin"
@@ -55,6 +56,11 @@ _LINE = (
     r"|between the)"
     r" (?:V|banks|vee|cylinders))?"
 )
+_SYMMETRY = (
+    r"(?:the\s+|l['’]|la\s+|el\s+|['’])?(?:(?:axe|asse|shaft|axis|eje)\s+(?:of|de|di)\s+(?:symétrie|simmetria|simetría|symmetry)"
+    r"|bissectrice|bisettrice|bisectriz)"
+)
+"""The line between the banks, in words of which the small ones stand in English."""
 ALONG = words(
     rf"vertical(?:ly)?(?:\s+(?:component|part|resultant))?{_FORCE}", r"upright",
         rf"(?:{_FORCES}\s+)*forces?\s+vertical(?:ly)?",
@@ -64,7 +70,9 @@ ALONG = words(
     rf"components?\s+(?:along|in\s+the\s+direction\s+of)\s+(?:the\s+)?{_LINE}",
         r"(?:sum\s+)?project(?:ed|ion)\s+on(?:to)?\s+(?:the\s+)?(?:bisecting\s+line|bisector)",
     r"(?:in\s+richtung|längs)\s+der\s+(?:winkelhalbierenden|symmetrie(?:achse|linie|ebene))",
-    r"in\s+der\s+symmetrieebene", r"対称軸(?:方向)?(?:の)?(?:一次慣性力|二次慣性力|成分)?",
+    r"(?:in|auf|entlang|längs)\s+der\s+(?:symmetrie(?:ebene|achse|linie)|winkelhalbierenden)",
+    rf"(?:suivant|selon|dans|in|along|the\s+long\s+of|lungo|secondo|según|a\s+lo\s+largo\s+(?:de|of))\s+{_SYMMETRY}",
+    r"対称軸(?:方向)?(?:の)?(?:一次慣性力|二次慣性力|成分)?",
     r"(?:鉛直|(?<!に)垂直)(?:方向)?(?:の)?(?:成分|分力|合力)?", r"二等分線方向(?:の成分)?",
 )  # fmt: skip
 ACROSS = words(
@@ -75,6 +83,7 @@ ACROSS = words(
     rf"components?\s+at\s+right\s+angles\s+to\s+(?:the\s+)?{_LINE}",
         r"(?:sum\s+)?project(?:ed|ion)\s+at\s+right\s+angles\s+to\s+it",
     r"(?:quer|senkrecht)\s+(?:dazu|zur\s+(?:winkelhalbierenden|symmetrie(?:achse|linie|ebene)))",
+    rf"(?:perpendic\w+|normale?(?:ment|mente)?)\s+(?:à|at|to|all?|a)\s*{_SYMMETRY}",
     r"perpendicular\s+to\s+(?:that|this)(?:\s+(?:plane|line|axis|direction))?",
         r"(?:これ|それ|対称軸)に(?:垂直|直角)な方向",
     r"水平(?:方向)?(?:の)?(?:成分|分力|合力)?",

@@ -91,6 +91,16 @@ WHOLE = re.compile(
     r"|del\s+motore?|エンジン",
     re.IGNORECASE,
 )
+OF_ALL = re.compile(
+    r"\bfree\b|freie|resultant|resultier|résultante|risultante|\btotal|gesamt|whole|entire|合力|合計|全体"
+    r"|des\s+ganzen|du\s+moteur|dell['’]intero|del\s+motore",
+    re.IGNORECASE,
+)
+"""Words that make a force that of all cylinders together."""
+_MACHINE_BEHIND = re.compile(
+    r"[\s-]?(?:engine|motor|moteur|machine|maschine|機関|エンジン)", re.IGNORECASE
+)
+"""What makes one cylinder an engine of its own: a single-cylinder engine."""
 _AND = re.compile(r"\b(?:and|und|et|y|ed?|en)\b")
 """Words behind which something else is said."""
 _ITS = re.compile(
@@ -339,7 +349,7 @@ class EngineClaims:
 
     def sentence(self, chain: Chain) -> str:
         """Return the sentence that a relation stands in, with what stands before a display."""
-        first, last = self._sentence(self._opening(chain.start), chain.end)
+        first, last = self.sentence_place(chain)
         return self._text[first:last]
 
     def words_before(self, chain: Chain) -> tuple[str, str]:
@@ -369,6 +379,15 @@ class EngineClaims:
         return self._text[
             self._line_starts[first - 1] : self._line_starts[min(last, len(self._line_starts) - 1)]
         ]
+
+    def sentence_place(self, chain: Chain) -> tuple[int, int]:
+        """Return where the sentence of a relation begins and ends."""
+        return self._sentence(self._opening(chain.start), chain.end)
+
+    def section_before(self, chain: Chain) -> str:
+        """Return what a relation's section says before it."""
+        first = self._line_starts[self.sections.section_start(chain.lines[0]) - 1]
+        return self._text[first : chain.start]
 
     def _order_otherwise(self, name: str, chain: Chain, before: str, sentence: str) -> tuple[int, str]:
         """Return the order that an index or the formula's wave says, where it is of the whole engine."""
@@ -457,6 +476,7 @@ class EngineClaims:
             (at[self.sections.paragraph_start(line) - 1], start),
             (section, heading_end), (section, start), (0, min(title_end, start)),
         ]  # fmt: skip
+        is_of_all = self._is_of_all(chain)
         by_labels = self._engine_of_cell(start)
         if by_labels is not None:
             engine, near = by_labels
@@ -464,7 +484,7 @@ class EngineClaims:
         for scope, (first, last) in enumerate(scopes):
             is_own = scope in (_SENTENCE, _INTRODUCED)
             own_last = self._end_of_own_words(chain, end, last) if is_own else last
-            named = _without_units(self.engines.between(first, own_last), start)
+            named = _without_units(self.engines.between(first, own_last), start, is_of_all=is_of_all)
             named = self._nearer(named, start) if is_own else named
             if scope == _INTRODUCED and _OF_SOME.search(self._text, *scopes[_SENTENCE]):
                 return None
@@ -481,6 +501,17 @@ class EngineClaims:
             near = (cell and cell.row) or self._text[slice(*self._sentence(start, end))]
             return self._with_cranks(engine, start, (section, section_end), around, near)
         return None
+
+    def _is_of_all(self, chain: Chain) -> bool:
+        """Tell whether a relation's sentence speaks of all cylinders together, and not of one of them."""
+        sentence = self.sentence(chain)
+        if not OF_ALL.search(sentence) or OF_ONE.search(sentence):
+            return False
+        last = self.engines.last_before(max(0, chain.start - _MOST), chain.start)
+        if last is None or last.cylinders != 1:
+            return True
+        is_machine = _MACHINE_BEHIND.match(self._text, last.place + len(last.words)) is not None
+        return not is_machine and re.search(r"[\s-]", last.words) is not None
 
     def _of_several(self, start: int) -> list[NamedEngine]:
         """Return the mentions before a place of engines with more than one cylinder."""
@@ -555,10 +586,15 @@ class EngineClaims:
         return replace(engine, stars=(CrankStar(listed.degrees),))
 
 
-def _without_units(named: list[NamedEngine], start: int) -> list[NamedEngine]:
-    """Return several mentions without the one cylinder that an engine's name comes behind."""
+def _without_units(named: list[NamedEngine], start: int, *, is_of_all: bool = False) -> list[NamedEngine]:
+    """Return several mentions without the one cylinder that an engine's name comes behind.
+
+    A force of the whole engine is of the one with several cylinders, though one cylinder's comes last.
+    """
     last = next((m for m in reversed(named) if m.place < start), None)
-    if last is None or last.cylinders == 1:
+    if last is None or (last.cylinders == 1 and not is_of_all):
+        return named
+    if last.cylinders == 1 and named[0].cylinders == 1:
         return named
     return [m for m in named if m.cylinders != 1]
 

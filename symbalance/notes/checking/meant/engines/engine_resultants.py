@@ -37,6 +37,7 @@ from symbalance.notes.checking.declared.symbol_roles import role_of
 from symbalance.notes.checking.meant.engines.engine_claims import (
     COUPLE,
     FORCE,
+    OF_ALL,
     OF_ONE,
     TORQUE,
     VECTORS,
@@ -52,6 +53,7 @@ from symbalance.notes.checking.meant.engines.engine_letters import (
     same,
 )
 from symbalance.notes.checking.meant.engines.order_indices import POWERS, index_of, wave_of
+from symbalance.notes.checking.meant.engines.phases_of_waves import fits_the_cranks
 from symbalance.notes.checking.meant.engines.sizes_explained import (
     without_balance_to_come,
     without_letters_explained,
@@ -67,7 +69,11 @@ from symbalance.notes.checking.meant.products import (
 )
 from symbalance.notes.checking.repair.fixes import Repair, fix_of
 from symbalance.notes.checking.verdicts import Verdict
-from symbalance.notes.checking.words.engines_in_words import EnginesInWords, NamedEngine
+from symbalance.notes.checking.words.engines_in_words import (
+    EnginesInWords,
+    NamedEngine,
+    names_count,
+)
 from symbalance.notes.checking.words.sections import Sections
 from symbalance.notes.reading.equations import Chain, Side
 from symbalance.text import lazy_patterns as re
@@ -163,6 +169,8 @@ _UP_TO_SECOND = re.compile(
     re.IGNORECASE,
 )
 """Words for a sum of the first two orders: a term of one order alone is not what they are of."""
+_BEHIND = 200
+"""Characters behind a force's sentence in which it may be multiplied by the number of cylinders."""
 _SPEED = re.compile(
     r"(?:twice|double|two\s+times|doppelte[rn]?|zweifache[rn]?)\s+(?:the\s+)?(?:crank(?:shaft)?|engine|kurbel(?:wellen)?)?"
     r"[\s-]*(?:speed|drehzahl|geschwindigkeit)|(?:crank(?:shaft)?|engine)[\s-]+speed|2\s?倍の(?:速度|速さ|回転)",
@@ -341,9 +349,11 @@ class EngineResultants:
             is_alone = term is None and claim.order == 1 and not index_of(name)
             is_open = is_alone and _UP_TO_SECOND.search(claim.sentence) is not None
             is_open = is_open or _is_what_half_a_balance_leaves(claim)
+            other_wave = _other_wave(claim, product)
+            is_open = is_open or not (other_wave or self._has_phase(chain, claim, product))
             if is_open or (term is None and self._is_against_another(chain, claim, product, knowledge)):
                 return None
-            return _other_wave(claim, product) or Decision(
+            return other_wave or Decision(
                 PROVED,
                 assumptions=(
                     self._assumption(name, claim),
@@ -355,6 +365,20 @@ class EngineResultants:
         ):
             return None
         return self._refuted(chain, name, claim, parts, slips[0], sizes[0] * float(first) / number, term)
+
+    def _has_phase(self, chain: Chain, claim: EngineClaim, product: ProductOfPowers) -> bool:
+        """Tell whether a formula's wave has the phase of the cranks, as far as it or the page has one."""
+        if product.wave is None or claim.is_rotating:
+            return True
+        letter = wave_of(product.wave)[1]
+        before = self.claims.section_before(chain)
+        is_couple = claim.kind == COUPLE
+        return any(
+            fits_the_cranks(
+                star, product.wave, claim.order, is_couple=is_couple, text=before, letter=letter
+            )
+            for star in claim.engine.stars
+        )
 
     def _is_against_another(
         self, chain: Chain, claim: EngineClaim, product: ProductOfPowers, knowledge: Knowledge
@@ -577,7 +601,8 @@ class EngineResultants:
         """
         if claim.is_total:
             return True
-        if OF_ONE.search(without_masses_of_one(self._text)) or _SUMMED.search(self._text):
+        text = self._without_what_one_does(chain, claim)
+        if OF_ONE.search(without_masses_of_one(text)) or _SUMMED.search(text):
             return False
         head = chain.sides[0].node
         others = [c for c in self.words.document.chains if c is not chain and c.relations]
@@ -589,8 +614,20 @@ class EngineResultants:
         amounts = [self._amount(c, claim.engine, knowledge) for c in near]
         if any(of == (claim.order, claim.kind) and is_all for of, is_all in amounts):
             return False
-        is_said = WHOLE.search(claim.sentence) is not None or WHOLE.search(claim.around) is not None
+        is_said = any(w.search(text) for w in (WHOLE, OF_ALL) for text in (claim.sentence, claim.around))
         return is_said or any(is_all for _, is_all in amounts)
+
+    def _without_what_one_does(self, chain: Chain, claim: EngineClaim) -> str:
+        """Return the page without the words before a whole engine's force on what one cylinder does.
+
+        "Each cylinder gives m r ω² λ cos 2θ. The resultant of the engine is" tells the two apart, unless
+        the words behind speak of the number of the cylinders: "and four of them".
+        """
+        start, end = self.claims.sentence_place(chain)
+        own, behind = self._text[start:end], self._text[chain.end : end + _BEHIND]
+        is_counted = names_count(claim.engine.cylinders, behind)
+        is_told = OF_ONE.search(self._text, 0, start) is not None and OF_ONE.search(own) is None
+        return self._text[start:] if is_told and OF_ALL.search(own) and not is_counted else self._text
 
     def _amount(
         self, chain: Chain, engine: NamedEngine, knowledge: Knowledge
