@@ -198,6 +198,7 @@ VIBRATION = {
     "logarithmic decrement": [(DAMPED, DECREMENT)],
     "magnification of a forced vibration": [(FORCED, forced(0.75)), (FORCED, forced(0.75, 0))],
     "magnification at resonance": [(FORCED, forced(1))],
+    "magnification factor at resonance": [(FORCED, forced(1))],
     "critical speed of an order": [
         (SPEEDS, mpf(70)), (SPEEDS, 70 / (2 * mp.pi)), (SPEEDS, 70 / (2 * mp.pi) * 60)
     ],

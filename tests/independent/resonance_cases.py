@@ -127,6 +127,9 @@ RESONANCE = {
     "sliding speed of a journal": [(ROUND, 120 * OUT / 2)],
     "diameter of a shaft for a torque": [({"torque": F(130), "shear_stress_allowed": exact(STRESS)},
     OUT)],
+    "diameter of a shaft for an equivalent torque": [
+        ({"torque": F(130), "shear_stress_allowed": exact(STRESS)}, OUT)
+    ],
     "deflection of a beam fixed at both ends and loaded in the middle": [(BAR, BOTH_FIXED)],
     "deflection of a simply supported beam with a uniform load": [(BAR, UNIFORM_SAG)],
     "slope at the end of a cantilever": [(BAR, TILT_OF_END)],

@@ -30,6 +30,8 @@ def last_word(page: str) -> str:
         "| engine | primary force |\n|---|---|\n| single | $F_1 = m r\\omega^2$ |\n"
         "| inline four | $F_1 = 0$ |\n"
         "| boxer four | $F_1 = 0$ |\n| inline six | $F_1 = 6mr\\omega^2$ |",
+        "# Solid disc\n\nThe moment of inertia is $J = \\frac12mR^2$.\n\n# Thin ring\n\n"
+        "The moment of inertia is $J = \\frac12mR^2$.",
     ],
 )
 def test_a_formula_of_another_thing_is_judged_by_that_thing(page):
@@ -50,8 +52,6 @@ def test_a_formula_of_another_thing_is_judged_by_that_thing(page):
         "In a 90° V-twin with both rods on one pin the secondary force has the amplitude"
         " $F_2 = \\sqrt2\\lambda mr\\omega^2$.\nIn a 60° V-twin with both rods on one pin the"
         " secondary force has the amplitude $F_2 = \\sqrt2\\lambda mr\\omega^2$.",
-        "# Solid disc\n\nThe moment of inertia is $J = \\frac12mR^2$.\n\n# Thin ring\n\n"
-        "The moment of inertia is $J = \\frac12mR^2$.",
         "Over half a turn the mean is $s = 2/\\pi$, over a whole turn it is $s = 2/\\pi$.",
     ],
 )

@@ -821,7 +821,7 @@ class NamedQuantities:
                 target, targets, claim, quantity, f"{named.heading} {named.around} {named.sentence}",
                 is_part=is_part or _is_woven(claim, knowledge),
             )  # fmt: skip
-            other = "" if RATIO in name else other  # of two letters anything may be the ratio
+            other = "" if _is_compared(name, claim) else other
             kind = slip_of(target, claim, slips, is_part)
             kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
@@ -1067,6 +1067,11 @@ def _is_of_letters(node: Formula) -> bool:
     terms = node.terms if isinstance(node, Sum) else ()
     bare = [term.operand if isinstance(term, Negative) else term for term in terms]
     return bool(bare) and all(isinstance(term, Name) for term in bare)
+
+
+def _is_compared(name: str, claim: Formula) -> bool:
+    """Tell whether a formula ties two letters of a kind, τ_1 and τ_2, or gives a ratio: of anything."""
+    return RATIO in name or any(n != name and stem_of(n) == stem_of(name) for n in names(claim))
 
 
 def _has_complement(claim: Formula, knowledge: Knowledge) -> bool:

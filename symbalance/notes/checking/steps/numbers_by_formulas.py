@@ -39,6 +39,7 @@ from symbalance.notes.checking.premises.impossible_values import number_of
 from symbalance.notes.checking.steps.judging_state import JudgingState
 from symbalance.notes.checking.steps.scaled_numbers import is_speed
 from symbalance.notes.checking.verdicts import CONDITION, DEFINITION, PREMISE, UNDECIDED, Verdict
+from symbalance.notes.checking.words.engines_in_words import EnginesInWords
 from symbalance.notes.checking.words.plain_formulas import lone_side
 from symbalance.notes.checking.words.sentences import SENTENCE_END
 from symbalance.notes.reading.equations import Chain
@@ -139,7 +140,8 @@ def _is_of_every_index(state: JudgingState, chain: Chain, line: int) -> bool:
     lines = state.sections.lines
     around = " ".join(lines[max(0, line - 2) : line + 1])
     behind = state.document.text[chain.end : chain.end + REACH // 4]
-    is_near = state.sections.same_section(line, chain.lines[0])
+    between = state.document.text[state.sections.start_of_line(line) : chain.start]
+    is_near = state.sections.same_section(line, chain.lines[0]) and not EnginesInWords(between).mentions
     return is_near and not _RESTRICTED.search(around) and not _MEASURED.search(behind)
 
 

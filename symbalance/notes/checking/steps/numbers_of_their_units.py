@@ -136,7 +136,8 @@ def _of_one_speed(
     if any(math.isclose(factor, each, rel_tol=_ROUNDED) for each in allowed):
         return ""
     is_indexed = indices or _ORDERS.search(sentence)
-    is_converted = first.unit.scale != second.unit.scale and not is_indexed
+    is_angular = any(name.partition("_")[0] in ANGULAR_LETTERS for name in (head, own[0]))
+    is_converted = first.unit.scale != second.unit.scale and is_angular and not is_indexed
     slips = (*_SLIPS, *_HALVES) if is_converted else _SLIPS
     if not any(math.isclose(factor / right_factor, slip, rel_tol=_ROUNDED) for slip in slips):
         return ""

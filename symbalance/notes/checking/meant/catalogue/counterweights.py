@@ -299,6 +299,7 @@ COUNTERWEIGHTS: tuple[Quantity, ...] = (
               r"許容(?:偏心量?|比不釣り?合い)"),
         (grade / omega, grade / (2 * PI * rotation), grade / (2 * PI * turn_rate)),
         ("any", "bare factor", "turn", "power"), mistakes=(grade * omega,),
+        unless=words(r"\bplanes?\b|ebenen?\b|\bplans?\b|\bpian[oi]\b|\bplanos?\b|面"),
     ),
     Quantity(
         "permissible unbalance", letters("U"),

@@ -76,9 +76,9 @@ _AT_RESONANCE = words(
 
 RESONANCE: tuple[Quantity, ...] = (
     Quantity(
-        "magnification at resonance", letters("Q V M alpha mu beta R A"), _MAGNIFIER,
-        (1 / (2 * damping_ratio), 1 / (2 * damping_ratio * root(1 - damping_ratio**2))),
-        ("edit", "bare factor"),
+        "magnification factor at resonance", letters("Q V M alpha mu beta R A"), _MAGNIFIER,
+        (1 / (2 * damping_ratio),), ("edit", "bare factor"),
+        others=(1 / (2 * damping_ratio * root(1 - damping_ratio**2)),),
         mistakes=(1 / damping_ratio, 2 * damping_ratio, 1 / (4 * damping_ratio),
                   1 / (2 * damping_ratio**2), 1 / damping_ratio**2, damping_ratio / 2),
         only=_AT_RESONANCE,
