@@ -160,8 +160,6 @@ def _one_sided_letter(
         nodes = {n: d.node for n, d in knowledge.definitions.items()}
         shared = names(left) & names(right)
         both |= {name for own in shared for name in (own, *names_behind(Name(own), nodes))}
-    nodes = {n: d.node for n, d in knowledge.definitions.items()}
-    both |= set(names_behind(left, nodes)) & set(names_behind(right, nodes))  # one side may lose it
     free = set(state.document.free_letters) - set(state.declarations.symbols_at(line))
     free -= state.motions.letters(line)
     unlike = set(letters(decision.left)) ^ set(letters(decision.right))

@@ -144,7 +144,8 @@ def _is_opposite(state: JudgingState, chain: Chain, words: str) -> bool:
     """Tell whether the sentence of a force says it is against an acceleration, of known direction."""
     sentence = state.sections.sentence_leading_to(chain)
     sentence += state.document.text[chain.end : chain.end + _BEHIND].partition("\n\n")[0]
-    is_opposite = _OPPOSITE.search(sentence) is not None and not _SIZE.search(sentence)
+    is_own = _SIZE.search(sentence) or _POSITIVE.search(sentence)  # a direction of the force alone
+    is_opposite = _OPPOSITE.search(sentence) is not None and not is_own
     return is_opposite and _POSITIVE.search(words) is not None
 
 
