@@ -5,7 +5,7 @@ import pytest
 from tests.checked_pages import last_in
 
 EQUATION = "$2\\lambda\\cos^2\\theta + \\cos\\theta - \\lambda = 0$"
-LETTER = "$2\\lambda x^2 + x - \\lambda = 0$ is to be solved, where $x = \\cos\\theta$."
+LETTER = "$2\\lambda u^2 + u - \\lambda = 0$ is to be solved, where $u = \\cos\\theta$."
 
 
 @pytest.mark.parametrize("words", ["so", "The root with $|\\cos\\theta| < 1$ is", "daraus folgt", "d'où"])
@@ -19,7 +19,7 @@ def test_the_root_of_an_equation_in_a_cosine(words, sign):
 
 
 def test_the_roots_of_a_letter_that_stands_for_a_cosine():
-    page = f"{LETTER} The formula gives $x_{{1,2}} = {{}}$."
+    page = f"{LETTER} The formula gives $u_{{1,2}} = {{}}$."
     right = "\\frac{-1 \\pm \\sqrt{1 + 8\\lambda^2}}{4\\lambda}"
     assert last_in(page.replace("{}", right)) in ("holds", "conditional")
     assert last_in(page.replace("{}", right.replace("+ 8", "- 8"))) == "refuted"

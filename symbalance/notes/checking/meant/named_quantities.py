@@ -821,7 +821,7 @@ class NamedQuantities:
                 target, targets, claim, quantity, f"{named.heading} {named.around} {named.sentence}",
                 is_part=is_part or _is_woven(claim, knowledge),
             )  # fmt: skip
-            other = "" if _is_compared(name, claim) else other
+            other = "" if _is_compared(quantity, name, claim) else other
             kind = slip_of(target, claim, slips, is_part)
             kind = kind or ("" if is_part else self._slip_of_units(target, claim, mistakes))
             is_share = is_multiple(target, claim) and not agrees(Negative(target), claim)
@@ -1069,9 +1069,13 @@ def _is_of_letters(node: Formula) -> bool:
     return bool(bare) and all(isinstance(term, Name) for term in bare)
 
 
-def _is_compared(name: str, claim: Formula) -> bool:
-    """Tell whether a formula ties two letters of a kind, τ_1 and τ_2, or gives a ratio: of anything."""
-    return RATIO in name or any(n != name and stem_of(n) == stem_of(name) for n in names(claim))
+def _is_compared(quantity: Quantity, name: str, claim: Formula) -> bool:
+    """Tell whether a formula is of a ratio, or ties two letters of a kind, τ_1 = τ_2 (d_2/d_1)³.
+
+    The state at the end of a process is given by that at its beginning.
+    """
+    alike = any(n != name and stem_of(n) == stem_of(name) for n in names(claim))
+    return RATIO in name or (alike and "at the end of" not in quantity.name)
 
 
 def _has_complement(claim: Formula, knowledge: Knowledge) -> bool:
