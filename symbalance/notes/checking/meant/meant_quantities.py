@@ -27,6 +27,7 @@ from symbalance.document.formula import (
     Name,
     Negative,
     Number,
+    PlusMinus,
     Product,
     Quotient,
     Sum,
@@ -149,7 +150,7 @@ class MeantQuantities:
         if not name or name in knowledge.letters or not names(value):
             return None
         mismatch = self._by_dimensions(name, value, chain, knowledge)
-        if mismatch is not None:
+        if mismatch is not None or _are_two_roots(value):
             return mismatch
         frame = self.frame(name, value, chain, knowledge)
         if frame is None:
@@ -577,6 +578,13 @@ class MeantQuantities:
         return Decision(
             REFUTED, reason, witness={"left": unit_text(expected[1]), "right": unit_text(dimension)}
         )
+
+
+def _are_two_roots(value: Formula) -> bool:
+    """Tell whether a formula is that of the roots of a quadratic, -p ± √(p² - q): no motion is."""
+    parts = [*walk(value)]
+    has_root = any(isinstance(part, Call) and part.function == "sqrt" for part in parts)
+    return has_root and any(isinstance(part, PlusMinus) for part in parts)
 
 
 def _usual(name: str, crank: Geometry) -> str:
