@@ -189,6 +189,7 @@ from symbalance.notes.checking.steps.places_in_words import unless_at_another_pl
 from symbalance.notes.checking.steps.products_in_prose import unless_other_part_of_product
 from symbalance.notes.checking.steps.proportional import SIGN as PROPORTIONAL
 from symbalance.notes.checking.steps.quantities_in_prose import unless_converted_from_prose
+from symbalance.notes.checking.steps.rates_at_angles import unless_rate_at_angle
 from symbalance.notes.checking.steps.rates_in_other_words import with_rates_said_again
 from symbalance.notes.checking.steps.rates_of_ratios import unless_rate_of_ratio
 from symbalance.notes.checking.steps.rates_with_numbers import (
@@ -369,6 +370,7 @@ _LAST: tuple[_Look, ...] = (
     unless_at_multiples,
     unless_constant_is_rounded,
     unless_no_root_of_wave,
+    unless_rate_at_angle,
     unless_against_direction,
     unless_of_bare_numbers,
     unless_by_the_minute,

@@ -46,6 +46,8 @@ def with_omega_of_speed(state: JudgingState, chain: Chain, k: int, verdict: Verd
     if k or not is_open or not isinstance(head, Name) or names(value.node):
         return verdict
     knowledge = state.knowledge(chain.lines[0])
+    if head.name in knowledge.angles:  # whatever turns, a place is chosen
+        return verdict
     own = next((n for n in _OMEGAS if n in state.definitions.letters_in_use), "")
     is_open = own and head.name != own and (not knowledge.knows(own) or _is_solved(own, knowledge))
     speed = _speed(state, chain) if is_open else None
