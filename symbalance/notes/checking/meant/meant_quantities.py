@@ -583,7 +583,7 @@ class MeantQuantities:
 def _are_two_roots(value: Formula) -> bool:
     """Tell whether a formula is that of the roots of a quadratic, -p ± √(p² - q): no motion is."""
     parts = [*walk(value)]
-    has_root = any(isinstance(part, Call) and part.function == "sqrt" for part in parts)
+    has_root = any(isinstance(p, Call) and p.function == "sqrt" and names(p.argument) for p in parts)
     return has_root and any(isinstance(part, PlusMinus) for part in parts)
 
 
