@@ -4,8 +4,8 @@
     python -m tests.passages -v         # and each wrong formula that is not refuted
 
 Who wrote them had not seen the checker. A passage has a `context`, a `right` sentence with a formula,
-the same with `wrong` ones, and other right ways to say it (`alike`). Sentences without a relation sign are
-not counted.
+the same with `wrong` ones, and other right ways to say it (`alike`). Sentences without a relation
+sign are not counted.
 """
 
 from __future__ import annotations
