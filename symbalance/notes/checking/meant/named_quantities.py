@@ -277,6 +277,8 @@ class NamedQuantities:
         outcome = self._as_read(chain, k, knowledge)
         if not isinstance(outcome, Verdict) or outcome.verdict != REFUTED:
             return outcome
+        if _is_multiple_of_its_kind(chain):
+            return None
         for other in chain.sides[k + 1].readings[1:]:
             side = replace(chain.sides[k + 1], readings=(other,))
             read = replace(chain, sides=(*chain.sides[: k + 1], side, *chain.sides[k + 2 :]))
@@ -1067,6 +1069,15 @@ def _is_of_letters(node: Formula) -> bool:
     terms = node.terms if isinstance(node, Sum) else ()
     bare = [term.operand if isinstance(term, Negative) else term for term in terms]
     return bool(bare) and all(isinstance(term, Name) for term in bare)
+
+
+def _is_multiple_of_its_kind(chain: Chain) -> bool:
+    """Tell whether a relation is a number times another letter of the kind: P_2 = 1.5 P."""
+    head, own = chain.sides[0].node, names(chain.sides[1].node)
+    if not isinstance(head, Name) or len(own) != 1:
+        return False
+    (other,) = own
+    return other != head.name and stem_of(other) == stem_of(head.name)
 
 
 def _is_compared(quantity: Quantity, name: str, claim: Formula) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 from symbalance.notes.checking.units.dimensions import Dimension, unit_of
 from symbalance.notes.reading.units import scale_of
@@ -136,6 +137,7 @@ class WordedUnit:
         return self.dimension == RATE
 
 
+@lru_cache(maxsize=4096)
 def worded_unit(text: str) -> WordedUnit | None:
     r"""Return the unit that a text begins with, None for none.
 
