@@ -277,7 +277,7 @@ class NamedQuantities:
         outcome = self._as_read(chain, k, knowledge)
         if not isinstance(outcome, Verdict) or outcome.verdict != REFUTED:
             return outcome
-        if _is_multiple_of_its_kind(chain):
+        if "has the form of that" in outcome.reason and _is_multiple_of_its_kind(chain):
             return None
         for other in chain.sides[k + 1].readings[1:]:
             side = replace(chain.sides[k + 1], readings=(other,))
